@@ -1,4 +1,4 @@
-//! A record's values as they are to be spelled, and the columns they stand in.
+//! The values of a record in their new spelling, and the columns in which they stand.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use crate::syntax::lexer::{Token, TokenKind};
 use crate::syntax::table::{ParamKind, RecordType};
 use crate::syntax::{Document, Record};
 
-/// The text, the tree and the options, which all of the printing looks at.
+/// The text, its tree and the options, which all of the printer needs.
 #[derive(Clone, Copy)]
 pub(super) struct Context<'a> {
     pub text: &'a str,
@@ -17,13 +17,13 @@ pub(super) struct Context<'a> {
     pub options: &'a Options,
 }
 
-/// How far the ID and the type go, before the parameters.
+/// The number of values before the parameters: the ID and the type.
 pub(super) const HEAD: usize = 2;
 
 /// A value and its place in the layout.
 pub(super) struct Cell<'a> {
     pub text: Cow<'a, str>,
-    /// Characters in front of the decimal point, and from it on.
+    /// The columns that the part before the decimal point takes, and those of the rest, with the point.
     before: usize,
     after: usize,
 }
@@ -63,7 +63,7 @@ impl<'a> Context<'a> {
             (ParamKind::Real | ParamKind::FileName, _) => spelled.into(),
             _ => number::integer(spelled),
         };
-        // IDs, types and names begin their columns; parameters stand on their points.
+        // IDs, types and file names are aligned at their beginnings, parameters at their decimal points.
         let (width, before) = match kind {
             ParamKind::FileName => (display_width(&text), 0),
             _ if i < HEAD => (text.len(), 0),
@@ -104,17 +104,17 @@ fn kind(record: &Record, i: usize) -> ParamKind {
     }
 }
 
-/// The gaps of two spaces, and not one, in a record.
+/// Says which gaps between the values of a record are two spaces wide and not one.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Gaps {
-    /// A bit for each value that begins a vector, the ID being the lowest.
+    /// A bit for each value that begins a vector. The lowest bit is that of the ID.
     wide: u32,
-    /// The number of points, and the type that says how many values each has.
+    /// For a profile the number of its points, and its type, which says how many values a point has.
     points: Option<(usize, &'static RecordType)>,
 }
 
 impl Gaps {
-    /// The gaps of a record: where a type has more than one vector, all vectors are set off.
+    /// The gaps of a record. If a record has more than one vector, a wide gap stands before each.
     fn of(record: &Record) -> Gaps {
         let ty = record.ty();
         if ty.is_counted() {
@@ -134,7 +134,7 @@ impl Gaps {
         }
     }
 
-    /// How many spaces stand before the `i`-th value, the ID not counted.
+    /// How many spaces stand before the `i`-th value of the record. The ID is value 0.
     pub(super) fn before(&self, i: usize) -> usize {
         let wide = match self.points {
             None => i < u32::BITS as usize && self.wide >> i & 1 == 1,
@@ -144,7 +144,7 @@ impl Gaps {
     }
 }
 
-/// Whether a value of a profile is the first of a point or colour.
+/// Whether the `i`-th value of a profile, the ID being value 0, begins a point or a colour.
 fn starts_point(ty: &RecordType, count: usize, i: usize) -> bool {
     let Some(mut i) = i.checked_sub(HEAD + ty.params.len()) else {
         return false;
@@ -158,7 +158,7 @@ fn starts_point(ty: &RecordType, count: usize, i: usize) -> bool {
     false
 }
 
-/// Values under each other, their decimal points in one place.
+/// The width of a column of values whose decimal points stand under each other.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Column {
     before: usize,
@@ -176,7 +176,7 @@ impl Column {
         self.before + self.after
     }
 
-    /// Writes a cell in its place; how many spaces belong behind it, if something follows.
+    /// Writes a cell in its place. Returns how many spaces must follow it if another value does.
     pub(super) fn write(&self, out: &mut String, cell: &Cell) -> usize {
         spaces(out, self.before - cell.before);
         out.push_str(&cell.text);
@@ -194,8 +194,8 @@ pub(super) fn spaces(out: &mut String, count: usize) {
     }
 }
 
-/// Whether something aligned may be so wide: within the page, or if it does not fit there anyway, not
-/// much wider than it has to be.
+/// Whether lines may be aligned: the aligned ones take at most `width` columns, or at most a quarter more than the
+/// unaligned ones.
 pub(super) fn may_align(aligned: usize, unaligned: usize, width: usize) -> bool {
     aligned <= width.max(unaligned + unaligned / 4)
 }

@@ -1,5 +1,5 @@
-//! A scene cut into chunks: what stands together on a line, or on several where a record or a
-//! comment goes on.
+//! A scene cut into chunks. A chunk is the records and comments that stand together on a line, or on several lines
+//! where a record or a comment goes on.
 
 use std::ops::Range;
 
@@ -10,10 +10,10 @@ use crate::syntax::{Document, Item, commas};
 /// A record, or a comment between records.
 pub(super) struct Element<'a> {
     pub piece: Fragment<'a>,
-    /// The first and the last token.
+    /// The indices of the first and of the last token.
     pub first: u32,
     pub last: u32,
-    /// Whether the element is printed as it is, since it could not be read in full.
+    /// Whether the element keeps its layout: it was not read in full, or has a token or comma in doubt.
     pub frozen: bool,
 }
 
@@ -25,7 +25,7 @@ pub(super) enum Fragment<'a> {
     Unread,
 }
 
-/// Neighbours without a line break between them.
+/// Neighbouring elements without a line break between them.
 #[derive(Default)]
 pub(super) struct Chunk<'a> {
     pub elements: Vec<Element<'a>>,
@@ -34,7 +34,7 @@ pub(super) struct Chunk<'a> {
 }
 
 impl<'a> Chunk<'a> {
-    /// Bytes of the chunk, from its first to its last character.
+    /// The range of bytes of the chunk, from its first to its last character.
     pub(super) fn span(&self, document: &Document) -> Range<usize> {
         match (self.elements.first(), self.elements.last()) {
             (Some(first), Some(last)) => document.span(first.first, last.last).range(),
@@ -42,7 +42,7 @@ impl<'a> Chunk<'a> {
         }
     }
 
-    /// Whether its layout may bear witness to what was meant.
+    /// Whether the chunk keeps its layout, since its line breaks may say what was meant.
     pub(super) fn is_frozen(&self) -> bool {
         self.elements.iter().any(|e| e.frozen)
     }
@@ -54,7 +54,7 @@ impl<'a> Chunk<'a> {
         })
     }
 
-    /// The whole lines of the chunk with all white space, but for the last line break.
+    /// The range of bytes of the chunk's whole lines, with all white space but without the last line break.
     pub(super) fn whole_lines(&self, text: &str, document: &Document) -> Range<usize> {
         let Range { start, end } = self.span(document);
         let mark = match text.starts_with(super::BYTE_ORDER_MARK) {
@@ -74,10 +74,11 @@ pub(super) struct Chunks<'a> {
     text: &'a str,
     document: &'a Document,
     items: &'a [Item],
-    /// The next token, and the one behind the part.
+    /// The index of the next token, and the index behind the last token of the part.
     at: usize,
     end: usize,
-    /// Whether some tokens have to be seen where they stand.
+    /// Whether the part has a doubtful token: a comment without a closing `#`, a decimal comma or a huge number. The
+    /// formatter leaves those where they are.
     has_doubtful: bool,
 }
 
@@ -93,7 +94,7 @@ impl<'a> Chunks<'a> {
         }
     }
 
-    /// Makes the chunk the next one; `false` if there is none.
+    /// Fills `chunk` with the next chunk. `false` if there is none.
     pub(super) fn next(&mut self, chunk: &mut Chunk<'a>) -> bool {
         chunk.elements.clear();
         chunk.after_blank_line = false;
@@ -144,15 +145,16 @@ impl<'a> Chunks<'a> {
         !chunk.elements.is_empty()
     }
 
-    /// Whether a record has a comma that may be a decimal one: it would be none any more with the numbers apart.
+    /// Whether an item is a record with a comma that may be a decimal one. Printed with spaces between the numbers, it
+    /// could not be seen any more.
     fn has_doubtful_comma(&self, item: &Item) -> bool {
         let doubtful = |record| !commas::in_doubt_of(self.text, self.document, record).is_empty();
         self.document.contents.separators && item.record().is_some_and(doubtful)
     }
 }
 
-/// Whether a token has to be seen where it stands: a comment that nothing but the end of its line
-/// ends, or a number that is not right.
+/// Whether a token must be left where it stands: a comment that only the end of its line ends, a decimal comma, or a
+/// huge number.
 fn is_doubtful(token: &Token) -> bool {
     matches!(
         token.kind(),

@@ -1,4 +1,4 @@
-//! Whether two scenes say the same, whatever they look like.
+//! Whether two scenes have the same content, in whatever layout.
 
 use crate::syntax::lexer::Token;
 use crate::syntax::parser;
@@ -10,8 +10,8 @@ pub fn same_content(a: (&str, &Document), b: (&str, &Document)) -> bool {
     comments(a).eq(comments(b)) && differences(a, b).is_empty()
 }
 
-/// Whether a text plainly says the same as a scene: `true` means what [`same_content`] says of the two, `false`
-/// nothing. Values are compared as the parser read them, not as they are spelled.
+/// A quick version of [`same_content`] for a new text that is not parsed yet. `false` says nothing: the text may need
+/// recovery. Values are compared as the parser read them, not as they are spelled.
 pub(super) fn are_plainly_same(old: &str, document: &Document, new: &str) -> bool {
     let Some(other) = parser::parse_plain(new) else {
         return false;
@@ -36,22 +36,22 @@ pub(super) fn are_plainly_same(old: &str, document: &Document, new: &str) -> boo
 /// Whether two records have the same values to the bit.
 fn same_record(a: (&str, &Document, &Record), b: (&str, &Document, &Record)) -> bool {
     let (x, y) = (a.1.values(a.2), b.1.values(b.2));
-    // Where a double is not all that an integer says, or there is none, the spelling counts.
+    // Where a value is a large integer or no number, the spelling is compared: two integers may be one double.
     let told = |x: &f64, y: &f64| x.to_bits() == y.to_bits() && x.abs() < INTEGERS;
     same_head(a.2, b.2)
         && (x.iter().zip(y).all(|(x, y)| told(x, y))
             || (a.1.params(a.2).zip(b.1.params(b.2))).all(|(s, t)| same_value((a.0, s), (b.0, t))))
 }
 
-/// Integers below 2⁵³ are doubles.
+/// 2⁵³: all smaller integers are exact as doubles.
 const INTEGERS: f64 = 9_007_199_254_740_992.0;
 
-/// The items of the first scene that are not the same in the second, or not in the same place among
-/// its numbers.
+/// The indices of the items of scene `a` that scene `b` does not have in the same place. The place of an item is how
+/// many numbers stand before it.
 pub(super) fn differences(a: (&str, &Document), b: (&str, &Document)) -> Vec<usize> {
     let same = |x: &Item, y: &Item| same_item((a.0, a.1, x), (b.0, b.1, y));
     let (mut items, mut others): (Vec<_>, Vec<_>) = (places(a.1).collect(), places(b.1).collect());
-    // What is the same up to the end is no difference, however much else is read before it.
+    // Items that are the same up to the end are no differences, even if more or fewer numbers are read before them.
     let ends = items.iter().rev().zip(others.iter().rev());
     let ends = ends.take_while(|(x, y)| same(x.2, y.2)).count();
     items.truncate(items.len() - ends);
@@ -60,7 +60,7 @@ pub(super) fn differences(a: (&str, &Document), b: (&str, &Document)) -> Vec<usi
     let mut others = others.into_iter().peekable();
     let mut last = 0;
     for (i, start, item) in items {
-        // What begins within the item before.
+        // This item of the other scene begins inside of the item before.
         while others.next_if(|other| other.1 < start).is_some() {
             found.push(last);
         }
@@ -76,7 +76,7 @@ pub(super) fn differences(a: (&str, &Document), b: (&str, &Document)) -> Vec<usi
     found
 }
 
-/// The items that say something, each with its index and how many numbers stand before it.
+/// The items that are no VOIDs, each with its index and the number of significant tokens before it.
 fn places(document: &Document) -> impl Iterator<Item = (usize, usize, &Item)> {
     let mut end = 0;
     document

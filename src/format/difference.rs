@@ -1,21 +1,21 @@
 //! The lines of a text that are still there when it is printed anew.
 //!
-//! The usual algorithms take time in proportion to the square of the number of changed lines where many lines
-//! are equal, and in scenes they are: a hundred thousand lines took half a minute. So a long text is compared in blocks
-//! of a few hundred lines, which the numbers of words before them set side by side: printing anew moves
-//! words to other lines, and keeps their number and order.
+//! Where many lines are equal, the usual algorithms take time in proportion to the square of the number of changed
+//! lines. In scenes many lines are equal: a hundred thousand lines took half a minute. So a long text is compared in
+//! blocks of a few hundred lines. Blocks with as many words before them belong together, since printing a text anew
+//! moves words to other lines, but keeps their number and order.
 
 use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, InternedInput, Token};
 
-/// Lines of a block.
+/// The number of old lines in a block.
 const BLOCK_LINES: usize = 250;
-/// Most changed lines of texts that are compared as a whole.
+/// The most changed lines of texts that are compared as a whole.
 const MAX_LINES_COMPARED_AT_ONCE: usize = 2000;
-/// Lines from where the next block is guessed to begin, within which it is looked for.
+/// The next block is looked for within this many lines of the line where it is guessed to begin.
 const MAX_GUESS_ERROR: usize = 50;
-/// Lines that must be alike where a block begins.
+/// How many lines must be alike where two blocks begin.
 const AGREEING_LINES: usize = 2;
 
 /// Compares two texts, line by line.
@@ -36,15 +36,16 @@ pub fn of(input: &InternedInput<&str>) -> Diff {
     diff
 }
 
-/// How many pairs are equal in the beginning.
+/// The number of equal pairs before the first unequal one.
 fn common<'t>(pairs: impl Iterator<Item = (&'t Token, &'t Token)>) -> usize {
     pairs.take_while(|(a, b)| a == b).count()
 }
 
-/// Compares the lines in these ranges block by block; those around them are equal.
+/// Compares the lines in the ranges of the old and the new text block by block. The lines outside of them are equal.
 fn in_blocks(input: &InternedInput<&str>, changed: [Range<usize>; 2]) -> Diff {
     let [old, new] = changed;
-    // Lines that stay have a token that nothing else has, and so these are what is found to stay.
+    // Every line gets a label. A line that stays has the same label in both texts, and all other labels differ, so the
+    // final comparison finds just the lines that stay.
     let mut next = 0;
     let mut fresh = || {
         next += 1;
@@ -78,7 +79,7 @@ fn in_blocks(input: &InternedInput<&str>, changed: [Range<usize>; 2]) -> Diff {
     diff
 }
 
-/// Cuts the lines in these ranges into pairs of blocks.
+/// Cuts the lines in the ranges of the old and the new text into pairs of blocks.
 fn blocks(
     input: &InternedInput<&str>,
     old: Range<usize>,
@@ -90,7 +91,7 @@ fn blocks(
     let (words_before, words_after) = (words(&before), words(&after));
     let mut out = Vec::new();
     let (mut i, mut j) = (0, 0);
-    // By how much the numbers of words differ so far.
+    // How many more words stand before the block in the new text than in the old one.
     let mut drift = 0;
     while before.len() - i > BLOCK_LINES && j < after.len() {
         let next = i + BLOCK_LINES;
@@ -117,7 +118,7 @@ fn blocks(
     out
 }
 
-/// The number of words before each line. A `0` before a comment may go, and no `0` is counted.
+/// The number of words before each line. No `0` is counted, since the formatter may drop one before a comment.
 fn words(lines: &[&str]) -> Vec<usize> {
     let mut sum = 0;
     let count = |line: &str| line.split_whitespace().filter(|word| *word != "0").count();
@@ -128,7 +129,7 @@ fn words(lines: &[&str]) -> Vec<usize> {
     lines.iter().map(before).collect()
 }
 
-/// Whether two lines have the same letters and digits, zeros aside.
+/// Whether two lines have the same letters and digits, apart from zeros.
 fn is_alike(a: Option<&&str>, b: Option<&&str>) -> bool {
     let signs = |line: &str| -> Vec<u8> {
         let counts = |b: &u8| b.is_ascii_alphanumeric() && *b != b'0';

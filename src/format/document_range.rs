@@ -1,12 +1,12 @@
-//! Parts of a scene that are printed independently of each other.
+//! Parts of a scene, each of which is printed without the others.
 
 use std::ops::Range;
 
 use crate::syntax::Document;
 use crate::syntax::lexer::TokenKind;
 
-/// Items and tokens of a scene that follow one another. A part that is not the first begins with a line break: the record
-/// before it, and the comments behind that record on its line, belong to the part before.
+/// A range of a scene's items, and of their tokens. A part that is not the first begins with a line break: the record
+/// before the line break, and the comments behind that record on its line, belong to the part before.
 pub(super) struct DocumentRange {
     pub items: Range<usize>,
     pub tokens: Range<usize>,
@@ -58,13 +58,15 @@ impl DocumentRange {
     }
 }
 
-/// Most items that are tried before a cut is given up.
+/// The most items that are tried before a cut is given up.
 const MAX_ITEMS_TRIED: usize = 1000;
 
-/// The token with which a part may begin whose first item is this one: the line break behind the record before it. Each is
-/// printed the same whether or not the other is there, except for the column of the comments, which
-/// [`page::join`](super::page::join) decides: between them is a blank line, or they are records of two types on
-/// neighbouring lines.
+/// The index of the token with which a part may begin whose first item is `item`: the line break behind the record
+/// before. `None` if no part may begin there.
+///
+/// A cut must not change what is printed, except for the column of the comments, which
+/// [`page::join`](super::page::join) decides. So there must be a blank line at the cut, or two records of different
+/// types on neighbouring lines.
 fn cut_before(document: &Document, item: usize) -> Option<usize> {
     let before = document.items[item - 1].record()?;
     let start = before.last as usize + 1;

@@ -1,4 +1,4 @@
-//! Chunks to lines: what stands together in the file is taken apart, a line for each record.
+//! Chunks to lines: records that stand together on a line of the file get a line each.
 
 use std::collections::HashSet;
 
@@ -11,7 +11,7 @@ use crate::syntax::commented_out::is_commented_out;
 use crate::syntax::lexer::Token;
 use crate::syntax::{Item, is_directive};
 
-/// The parts of the file's own layout that are kept, besides the lines with something that could not be read.
+/// The parts of the file's layout that the printer keeps, besides lines that could not be read in full.
 #[derive(Debug, Default)]
 pub(super) struct Care {
     /// The first tokens of items whose lines stay as they are.
@@ -26,13 +26,13 @@ pub(super) struct Printer<'a> {
     care: &'a Care,
     pub page: Page<'a>,
     run: Run<'a>,
-    /// The lines of the chunk that is printed; the room is used again.
+    /// The lines of the current chunk. The vector is kept, so that its memory is used again.
     lines: Vec<Line<'a>>,
-    /// Whether a comment above speaks to the next line.
+    /// Whether a comment for zpg stands above, which is about the next record.
     spoken_to: bool,
 }
 
-/// A line to be: its item, and all of its tokens.
+/// A line to print: its item, if any, and the indices of its first and last token.
 struct Line<'a> {
     item: Option<&'a Item>,
     first: u32,
@@ -132,8 +132,8 @@ impl<'a> Printer<'a> {
         matches!(line.item, Some(Item::Void { .. })) && tokens.iter().all(is_for_people)
     }
 
-    /// Whether a line is to become several rows, the last of which must not be read as a record with
-    /// what stands behind it.
+    /// Whether a line is printed in several rows. A number behind the last row could be read as part of a record with
+    /// it.
     fn wraps(&self, line: &Line) -> bool {
         match line.item {
             Some(Item::Record(record)) => rows::is_wanted(&self.context, record),
@@ -141,10 +141,10 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// Whether another layout could change what is meant.
+    /// Whether the lines of a chunk must stay as they are, since another layout could change their meaning.
     fn has_to_stay(&self, chunk: &Chunk, lines: &[Line], spoken_to: bool) -> bool {
         let is_kept = |item: &Item| self.care.items.contains(&item.ends().0);
-        // What is said to a line is said to all of its records.
+        // A comment for zpg above a line is about all records on that line.
         (lines.len() > 1 && spoken_to)
             || (self.care.zeros
                 && lines
@@ -153,7 +153,7 @@ impl<'a> Printer<'a> {
             || (!self.care.items.is_empty() && chunk.items().any(is_kept))
     }
 
-    /// Whether a comment of the chunk is for zpg.
+    /// Whether the chunk has a comment for zpg.
     fn speaks(&self, chunk: &Chunk) -> bool {
         let Context { text, document, .. } = self.context;
         let speaks = |e: &Element| {
@@ -170,9 +170,9 @@ impl Line<'_> {
     }
 }
 
-/// The lines a chunk becomes. Comments before the first item stay before it, others stay behind the
-/// item they follow. A `0` at the end that merely introduces a comment behind a record goes; a `-0` is
-/// no such sign.
+/// Fills `lines` with the lines that a chunk becomes. Comments before the first item stay before it, and other comments
+/// stay behind the item that they follow. A `0` at the end that only introduces a comment behind a record is dropped. A
+/// `-0` introduces none.
 fn set_lines<'a>(lines: &mut Vec<Line<'a>>, chunk: &Chunk<'a>, context: &Context) {
     lines.clear();
     let last_item = (chunk.elements.iter()).rposition(|e| !matches!(e.piece, Fragment::Comment));

@@ -1,22 +1,22 @@
 //! The pretty-printer: one record a line, numbers under each other, comments where they were. It needs
 //! the tokens and the tree alone.
 //!
-//! A long file is cut into parts, which all threads print ([`document_range`]), and a part into chunks, what stands together on its
-//! lines ([`chunk`]). Chunks become lines with a record each ([`lines`]); records of one type are aligned as a run
-//! ([`run`]), and matrices and long profiles take several lines ([`rows`]). Pages hold the lines, and align the comments
-//! where they are joined ([`page`]).
+//! All threads print a long file, each a part of it ([`document_range`]). A part is cut into chunks: the records and
+//! comments that stand together on their lines ([`chunk`]). Chunks become lines with a record each ([`lines`]). Records
+//! of one type are aligned as a run ([`run`]); matrices and long profiles take several lines ([`rows`]). A page holds
+//! the lines of a part. The comments are aligned where the pages are joined ([`page`]).
 //!
-//! Two things in the language depend on layout, and this is how they are kept:
+//! Two things in the language depend on layout, and the printer keeps both:
 //!
 //! - Optional parameters are present when just as many numbers are left on the line. A record is
 //!   printed on one line and nothing but comments follows it there. (The exceptions, matrices and
 //!   profiles in rows, have no optional parameters.)
-//! - Where the scene has errors, the lines tell what was meant. A line with something on it that
-//!   could not be read is left as it is, to the byte, and so is one with a comma that may be a decimal one, and a record
-//!   that takes numbers from a line which would be a record of its own.
+//! - Where the scene has errors, the lines tell what was meant. Three kinds of lines are left as they are, to the byte:
+//!   a line with a part that could not be read, a line with a comma that may be a decimal one, and the lines of a
+//!   record that takes numbers from a line which would be a record of its own.
 //!
-//! Whether that worked is tested each time: the result is read again, and where another layout lets
-//! mistakes be read differently, the lines in question stay as they are.
+//! The printer tests its result each time: the result is read again, and lines whose mistakes would be read differently
+//! in the new layout stay as they are.
 
 mod cell;
 mod chunk;
@@ -52,8 +52,8 @@ pub fn format(text: &str, document: &Document, options: &Options) -> String {
     attempt(text, document, options, None).map_or_else(|| text.to_owned(), |(printed, _)| printed)
 }
 
-/// The edit after which the records that touch some lines, counted from 1, look as they do when the whole scene is
-/// formatted; `None` if they do already.
+/// The edit that gives the records which touch `lines`, counted from 1, the layout that they have when the whole scene
+/// is formatted. `None` if they have that layout already.
 pub fn format_range(
     text: &str,
     document: &Document,
@@ -64,8 +64,8 @@ pub fn format_range(
     attempt(text, document, options, Some(wanted))?.1
 }
 
-/// The text printed anew, or only the records that touch `wanted`, a stretch of bytes, and in that case
-/// the edit that does it, if there is something to do. Nothing if the content would not stay the same.
+/// Prints the text anew. If `wanted`, a range of bytes, is given, only the records that touch it change, and the result
+/// comes with the edit that changes them, if there is one. `None` if the content would not stay the same.
 fn attempt(
     text: &str,
     document: &Document,
@@ -75,7 +75,8 @@ fn attempt(
     let broken = document.items.iter().any(|i| matches!(i, Item::Broken(_)));
     let mut care = Care {
         zeros: broken,
-        // Another layout would hide what is suspicious about them, or make it suspicious.
+        // In another layout the mistake in these records could not be seen any more, or a correct record would look
+        // wrong.
         items: (document.doubted.iter())
             .chain(&document.redefining)
             .copied()
@@ -107,7 +108,7 @@ fn attempt(
     None
 }
 
-/// The first tokens of records whose last row would be a record on a line of its own.
+/// The first tokens of the records whose last row would be a record of its own if it stood alone on its line.
 fn ending_with_record(document: &Document) -> impl Iterator<Item = u32> {
     let has_rows = |ty: &RecordType| ty.vectors.len() > 2 && !ty.is_counted();
     let has_any = document.contents.any(has_rows);
@@ -118,7 +119,8 @@ fn ending_with_record(document: &Document) -> impl Iterator<Item = u32> {
     ending.map(|r| r.first)
 }
 
-/// The most attempts to keep the lines that are read differently, each with more lines around them.
+/// The most attempts to print a scene. After each attempt the lines that were read differently stay as they are, with
+/// more lines around them each time.
 const ROUNDS: u32 = 7;
 
 fn print(
@@ -154,7 +156,7 @@ fn print(
     (result, Some(edit))
 }
 
-/// Prints a scene, in so many parts if it can be cut.
+/// Prints a scene in up to `parts` parts, on all threads.
 fn print_all(context: &Context, care: &Care, parts: usize) -> String {
     let parts = DocumentRange::cut(context.document, parts);
     let pages = parallel::map(parts.len(), |i| {
@@ -163,7 +165,8 @@ fn print_all(context: &Context, care: &Care, parts: usize) -> String {
     page::join(pages).0
 }
 
-/// Prints a part of a scene, and says where the lines that touch `wanted` stand in the text.
+/// Prints a part of a scene. Also returns the range of bytes of the text's lines that touch `wanted`; `None` if none
+/// do.
 fn print_part<'a>(
     context: &Context<'a>,
     care: &'a Care,
@@ -201,8 +204,7 @@ fn print_part<'a>(
     (printer.finish(), source)
 }
 
-/// The bytes of some lines, counted from 1, without the last line break; nothing if there are no such
-/// lines.
+/// The range of bytes of some lines, counted from 1, without the last line break. `None` if the text has fewer lines.
 fn bytes_of(text: &str, lines: RangeInclusive<usize>) -> Option<Range<usize>> {
     let bytes = text.as_bytes();
     let is_break = |i: &usize| match bytes[*i] {

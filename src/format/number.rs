@@ -5,11 +5,11 @@ use crate::syntax::with_point;
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
-/// Most digits that are always the shortest that stand for their value.
+/// A decimal number of at most this many digits is the shortest spelling of its value as a double.
 const CERTAIN_DIGITS: usize = 15;
 
-/// The spelling of a number where any number may stand. `value` is what `text` reads as. A number that is not finite
-/// stays as it is, and so does one that may have lost its point, as `08`.
+/// The spelling of a number in the place of a real; `value` is the value of `text`. A number that is not finite stays
+/// as it is, and so does one that may have lost its point, as `08`.
 pub(super) fn real(text: &str, value: f64) -> Cow<'_, str> {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     if value != 0.0 && with_point(digits).is_some() {
@@ -22,8 +22,8 @@ pub(super) fn real(text: &str, value: f64) -> Cow<'_, str> {
     }
 }
 
-/// The length of the part before the point of a number that is surely spelled as it should be; `None` says
-/// nothing.
+/// A quick test of a number whose spelling need not change: returns the length of the part before its point. `None`
+/// says nothing about the number.
 #[inline]
 pub(super) fn canonical(text: &str) -> Option<usize> {
     let bytes = text.as_bytes();
@@ -42,7 +42,7 @@ pub(super) fn canonical(text: &str) -> Option<usize> {
         [] => true,
         [b'.', fraction @ .., last] => {
             let length = fraction.len() + 1;
-            // A number below one has other digits soon behind the point.
+            // A number below one with four zeros or more behind the point is shorter with an exponent.
             let near = !zero || bytes[point + 1..].iter().take(4).any(|&b| b != b'0');
             near && *last != b'0' && whole + length <= CERTAIN_DIGITS && digits(point + 1) == length
         }
@@ -51,8 +51,8 @@ pub(super) fn canonical(text: &str) -> Option<usize> {
     right.then_some(point)
 }
 
-/// A number where an integer is needed. What is no integer is left as it is, and so are `-0` and `-00`: read as reals they
-/// are −0, which `0` is not.
+/// The spelling of a number in the place of an integer. A text that is no integer stays as it is, and so do `-0` and
+/// `-00`: read as reals they are −0, and `0` is not.
 pub(super) fn integer(text: &str) -> Cow<'_, str> {
     let digits = text.strip_prefix('-').unwrap_or(text);
     if digits.starts_with(|c: char| c.is_ascii_digit() && c != '0') || digits == "0" {
@@ -65,7 +65,8 @@ pub(super) fn integer(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// A number of few digits and no exponent: all there is to do is to leave out what adds nothing.
+/// The shortest spelling of a number without an exponent, found by leaving out a plus sign and needless zeros. `None`
+/// if the number has too many digits for that, or is shorter with an exponent.
 fn plain(text: &str) -> Option<Cow<'_, str>> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let negative = text.starts_with('-');
@@ -116,7 +117,7 @@ fn shortest(text: &str, value: f64) -> Cow<'_, str> {
     if !small_or_large && is_written(value, text) {
         return text.into();
     }
-    // Both have the shortest digits; the first never has an exponent, the second always.
+    // `{}` and `{:e}` both print the fewest digits; the first never has an exponent, and the second always has one.
     let plain = format!("{value}");
     let kept = text.contains(['e', 'E']) && plain.len() > text.len();
     if kept || small_or_large {
@@ -128,7 +129,7 @@ fn shortest(text: &str, value: f64) -> Cow<'_, str> {
     plain.into()
 }
 
-/// Whether a text is what `Display` writes for a value.
+/// Whether `Display` writes `value` as this text.
 fn is_written(value: f64, text: &str) -> bool {
     struct Rest<'t>(&'t str);
     impl fmt::Write for Rest<'_> {

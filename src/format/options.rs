@@ -2,10 +2,10 @@
 
 #![warn(missing_docs)]
 
-/// The style; the default is the one to use.
+/// The style of the layout. The default is the recommended one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
-    /// Characters a line may have: where a profile wraps, and how far alignment may go.
+    /// The columns that a line should take at most: longer profiles wrap, and alignment hardly goes further.
     pub width: usize,
     /// Whether numbers and comments stand under each other.
     pub align: bool,
@@ -18,7 +18,7 @@ pub struct Options {
 /// How numbers are spelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Numbers {
-    /// Numbers in the shortest spelling of the same value.
+    /// Every number gets the shortest spelling of its value.
     Shortest,
     /// Numbers stay as they are written.
     Keep,

@@ -1,4 +1,4 @@
-//! The printed lines. Where the comments behind records go is known when all of them are printed.
+//! The printed lines. The columns of the comments behind records are chosen when all lines are printed.
 
 use std::iter;
 use std::ops::Range;
@@ -21,33 +21,34 @@ enum Last {
 pub(super) struct Page<'a> {
     options: &'a Options,
     line_break: &'static str,
-    /// The lines, without the spaces between records and the comments behind them.
+    /// The printed lines. The spaces before the comments behind records are still missing.
     text: String,
-    /// The start of the line that is written now.
+    /// The byte of `text` at which the current line starts.
     line: usize,
     comments: Vec<Comment>,
     /// Whether the next comment starts a new column.
     apart: bool,
     last: Last,
-    /// Whether what is written now is asked for, and where in `text` all that is stands.
+    /// Whether the current line is one of those that the caller asked for. `found` is the range of bytes of `text` with
+    /// all of those lines.
     pub wanted: bool,
     found: Option<Range<usize>>,
 }
 
 /// A comment behind a line.
 struct Comment {
-    /// The comment's offset in the text.
+    /// The byte of the page's text at which the comment starts.
     at: usize,
-    /// The width of the text before the comment.
+    /// The width of the line before the comment, in columns.
     code: u32,
-    /// How far to the right it may begin.
+    /// The rightmost column at which the comment may begin.
     most: u32,
     /// Whether the comment starts a new column.
     apart: bool,
 }
 
 impl Comment {
-    /// How far to the left it may begin.
+    /// The leftmost column at which the comment may begin.
     fn least(&self) -> u32 {
         self.code + GAP
     }
@@ -57,7 +58,7 @@ impl Comment {
 const GAP: u32 = 2;
 
 impl<'a> Page<'a> {
-    /// An empty page, for about so many bytes.
+    /// An empty page with room for `capacity` bytes.
     pub(super) fn new(options: &'a Options, line_break: &'static str, capacity: usize) -> Page<'a> {
         Page {
             options,
@@ -72,12 +73,12 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// The page goes on where another one ended, with a record.
+    /// Says that the page before this one ended with a record.
     pub(super) fn follows_record(&mut self) {
         self.last = Last::Record;
     }
 
-    /// Writes a mark that begins the file without being a line.
+    /// Writes a byte order mark at the start of the file. The mark takes no column of the first line.
     pub(super) fn mark(&mut self, mark: char) {
         self.text.push(mark);
         self.line = self.text.len();
@@ -92,7 +93,7 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// Begins a heading: there is a blank line before it, unless it belongs to comments above.
+    /// Begins a heading. If the line above is a record, writes a blank line first.
     pub(super) fn heading(&mut self) {
         self.end_column();
         if self.last == Last::Record {
@@ -100,13 +101,13 @@ impl<'a> Page<'a> {
         }
     }
 
-    /// Lines as they are.
+    /// Writes the lines of a record as they are.
     pub(super) fn verbatim(&mut self, text: &str) {
         self.end_column();
         self.put(text, Last::Record);
     }
 
-    /// A line of comments.
+    /// Writes a line of comments, or several.
     pub(super) fn comment(&mut self, text: &str) {
         self.end_column();
         self.put(text, Last::Comment);
@@ -117,7 +118,7 @@ impl<'a> Page<'a> {
         self.break_line(last);
     }
 
-    /// The next comment starts a new column.
+    /// Says that the next comment behind a record starts a new column.
     pub(super) fn end_column(&mut self) {
         self.apart = true;
     }
@@ -127,7 +128,7 @@ impl<'a> Page<'a> {
         &mut self.text
     }
 
-    /// Ends a line of a record, with the comments behind it.
+    /// Ends a line of a record and writes the comments behind the record.
     pub(super) fn end_line<'t>(&mut self, comments: impl Iterator<Item = &'t str>) {
         let code = self.text.len();
         for comment in comments {
@@ -151,7 +152,7 @@ impl<'a> Page<'a> {
         self.last = last;
     }
 
-    /// Takes in the comment at some place of the line that is written now.
+    /// Notes the comment that starts at byte `at` of the current line, and how far it may be moved.
     fn comment_at(&mut self, at: usize) {
         let line = &self.text[self.line..at];
         let last = memrchr2(b'\n', b'\r', line.as_bytes()).map_or(line, |i| &line[i + 1..]);
@@ -164,7 +165,7 @@ impl<'a> Page<'a> {
             let end = memchr2(b'\n', b'\r', comment.as_bytes());
             let length = display_width(&comment[..end.unwrap_or(comment.len())]);
             let room = (self.options.width).checked_sub(length);
-            // One that is too long wherever it stands may stand with the others.
+            // A comment that is too long for the width at any column may be aligned with the others all the same.
             let room = room.filter(|&room| room >= least);
             most = room.unwrap_or(self.options.width).max(least);
         }
@@ -177,7 +178,8 @@ impl<'a> Page<'a> {
     }
 }
 
-/// The text of pages that follow one another, and where in it stands what is asked for.
+/// Joins pages that follow one another, and aligns their comments. Also returns the range of bytes of the lines that
+/// the caller asked for.
 pub(super) fn join(mut pages: Vec<Page>) -> (String, Option<Range<usize>>) {
     if let [page] = pages.as_mut_slice()
         && page.comments.is_empty()
@@ -203,7 +205,7 @@ pub(super) fn join(mut pages: Vec<Page>) -> (String, Option<Range<usize>>) {
             let at = out.len();
             let missing = (column - comment.code) as usize;
             spaces(&mut out, missing);
-            // What is found moves with the text.
+            // The range of the wanted lines moves with the text.
             if let Some(own) = &mut own {
                 own.start += if at < own.start { missing } else { 0 };
                 own.end += if at < own.end { missing } else { 0 };
@@ -217,15 +219,15 @@ pub(super) fn join(mut pages: Vec<Page>) -> (String, Option<Range<usize>>) {
     (out, found)
 }
 
-/// A column shared by so many neighbouring comments; it may lie from `low` to `high`.
+/// A column that some neighbouring comments share. It may begin anywhere from `low` to `high`.
 struct Column {
     comments: usize,
     low: u32,
     high: u32,
 }
 
-/// Columns of comments: as many comments as possible share one, as long as all of these stay within the width. (This is
-/// how clang-format does it.)
+/// Chooses the columns of the comments: as many neighbours as possible share a column, as long as each of them fits
+/// into the width there. (This is how clang-format does it.)
 fn columns(pages: &[Page]) -> Vec<Column> {
     let mut columns: Vec<Column> = Vec::new();
     let mut apart = true;
@@ -256,7 +258,7 @@ fn columns(pages: &[Page]) -> Vec<Column> {
     columns
 }
 
-/// Widens a stretch to what follows it.
+/// Extends a range of bytes by a range that follows it.
 fn extend(stretch: &mut Option<Range<usize>>, more: Range<usize>) {
     let start = stretch.as_ref().map_or(more.start, |s| s.start);
     *stretch = Some(start..more.end);

@@ -1,4 +1,4 @@
-//! Records that take several lines: matrices, and profiles too long for one.
+//! Records that take several lines: matrices, and profiles that are too long for one line.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use crate::syntax::Record;
 use crate::syntax::table::{ParamKind, RecordType};
 
 const INDENT: usize = 2;
-/// A matrix has as many rows as columns.
+/// The number of rows of a matrix, and of its columns.
 const MATRIX: usize = 4;
 
 /// A part of a record in rows.
@@ -22,12 +22,13 @@ enum RowPart<'a> {
 
 struct Comments<'a> {
     all: Vec<&'a str>,
-    /// Whether the comments begin or end a line.
+    /// Whether a line break stands before the comments, and whether one stands behind them.
     first: bool,
     last: bool,
 }
 
-/// Values of a record that are cut into rows: groups of `group`, `per_row` of them in each.
+/// Values of a record that are cut into rows. `group` values are a point, a colour or a row of a matrix, and `per_row`
+/// groups stand in a row.
 struct Section {
     values: Range<usize>,
     group: usize,
@@ -40,12 +41,12 @@ impl Section {
     }
 }
 
-/// A line: parts of the record, the comments behind them not counted.
+/// A printed line: the range of the record's parts on it, without the comments behind them.
 struct Row {
     parts: Range<usize>,
-    /// The first value on it, counted from the ID.
+    /// The index of the first value on the line. The ID is value 0.
     value: usize,
-    /// Whether the comments behind the records are a part of its own.
+    /// Whether the part behind `parts` is the comments at the end of this line.
     trail: bool,
 }
 
@@ -55,7 +56,7 @@ pub(super) fn is_wanted(context: &Context, record: &Record) -> bool {
         return true;
     }
     let width = context.options.width;
-    // A number and a space are the least.
+    // A number takes two columns at least, with the space before it.
     record.ty().is_counted()
         && (2 * record.params as usize > width
             || run::natural_width(context, record) > width
@@ -66,7 +67,7 @@ fn is_matrix(ty: &RecordType) -> bool {
     ty.vectors == [MATRIX; MATRIX]
 }
 
-/// Whether there are comments between the points of a profile.
+/// Whether a profile has comments between its points.
 fn is_commented(context: &Context, record: &Record) -> bool {
     if !run::has_comments(context, record) {
         return false;
@@ -82,7 +83,7 @@ fn is_commented(context: &Context, record: &Record) -> bool {
     })
 }
 
-/// The values that are cut into rows; those before them are the first line.
+/// The sections of a record that are cut into rows. The values before the first section are the first line.
 fn sections(record: &Record) -> Vec<Section> {
     if is_matrix(record.ty()) {
         return vec![Section {
@@ -104,7 +105,7 @@ fn sections(record: &Record) -> Vec<Section> {
     record.ty().repeats.iter().map(section).collect()
 }
 
-/// Whether a point, a row of a matrix or the head of the record ends before a value.
+/// Whether a point, a colour, a row of a matrix or the head of the record ends right before value `value`.
 fn ends_group(sections: &[Section], value: usize) -> bool {
     sections
         .iter()
@@ -185,12 +186,13 @@ pub(super) fn print<'a>(context: &Context<'a>, page: &mut Page, entry: &RecordLi
     }
 }
 
-/// The spaces between the points of a row. Among aligned numbers two would not be seen.
+/// The number of spaces between the points of a row. Two spaces could not be told from those of the alignment.
 fn between(options: &Options) -> usize {
     if options.group { 4 } else { 1 }
 }
 
-/// Chooses how many points a row has; the columns of each section, if its values are aligned.
+/// Chooses how many points a row has in each section. Returns the columns of each section, `None` if its values are not
+/// aligned.
 fn fit(context: &Context, parts: &[RowPart], sections: &mut [Section]) -> Vec<Option<Vec<Column>>> {
     let values: Vec<&Cell> = parts.iter().filter_map(RowPart::cell).collect();
     let width = context.options.width;
@@ -231,12 +233,12 @@ impl<'a> RowPart<'a> {
     }
 }
 
-/// Cuts a record into lines. A comment behind a group ends the line, one that begins a line in the file
-/// begins one here, or stands alone as it does there; all others stay between their numbers.
+/// Cuts a record into lines. A comment behind a group ends its line. A comment that begins a line in the file begins
+/// one here, too, or stands alone if it does so there. All other comments stay between their numbers.
 fn rows(parts: &[RowPart], sections: &[Section]) -> Vec<Row> {
     let mut rows: Vec<Row> = Vec::new();
     let (mut start, mut first, mut value) = (0, 0, 0);
-    // Groups on the line, and whether it is full.
+    // How many groups are on the current line, and whether the line is full.
     let (mut groups, mut full) = (0, false);
     for (i, part) in parts.iter().enumerate() {
         let at_end = ends_group(sections, value);
@@ -286,7 +288,7 @@ fn rows(parts: &[RowPart], sections: &[Section]) -> Vec<Row> {
     rows
 }
 
-/// Whether a row but the first could be taken for a record of its own, or for the beginning of one.
+/// Whether any row except the first could be read as a record of its own, or as the beginning of one.
 fn reads_as_records(parts: &[RowPart], rows: &[Row]) -> bool {
     let values: Vec<&str> = (parts.iter().filter_map(RowPart::cell))
         .map(|c| c.text.as_ref())
@@ -317,7 +319,7 @@ fn reads_as_records(parts: &[RowPart], rows: &[Row]) -> bool {
     })
 }
 
-/// Writes a row whose first value is the `value`-th.
+/// Writes a row. `value` is the index of its first value in the record.
 fn write(
     context: &Context,
     out: &mut String,
@@ -327,7 +329,7 @@ fn write(
     columns: &[Option<Vec<Column>>],
 ) {
     let mut value = value;
-    // Columns are of no use among comments.
+    // Between comments the numbers could not stand under each other.
     let section = sections.iter().position(|s| s.values.contains(&value));
     let columns = section
         .filter(|_| parts.iter().all(|p| p.cell().is_some()))

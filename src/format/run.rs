@@ -1,4 +1,4 @@
-//! Records one a line; neighbours of one type stand in columns.
+//! Records that take a line each. Neighbouring records of one type stand in columns.
 
 use std::borrow::Borrow;
 
@@ -31,12 +31,12 @@ impl<'a> RecordLine<'a> {
         comments(context, from, to, self.keeps_zero)
     }
 
-    /// Whether only numbers follow, up to the end of the record.
+    /// Whether no comment stands before the record or inside of it.
     fn is_plain(&self, context: &Context<'a>) -> bool {
         self.tokens.0 == self.record.first && !has_comments(context, self.record)
     }
 
-    /// Writes what stands before the record.
+    /// Writes the comments before the record.
     pub(super) fn write_lead(&self, context: &Context<'a>, out: &mut String) {
         for comment in self.lead(context) {
             out.push_str(comment);
@@ -45,7 +45,7 @@ impl<'a> RecordLine<'a> {
     }
 }
 
-/// The comments among some tokens, and the zeros if those are wanted.
+/// The texts of the comments among tokens `from..to`; with `zeros` also those of the `0` that introduce them.
 fn comments<'a>(
     context: &Context<'a>,
     from: u32,
@@ -61,29 +61,29 @@ fn comments<'a>(
 
 /// Whether there are comments in a record.
 pub(super) fn has_comments(context: &Context, record: &Record) -> bool {
-    // Most have nothing but their numbers.
+    // Most records have nothing but their numbers, and can be told by the number of tokens.
     record.last - record.first > record.params + 1
         && context.tokens(record).any(|t| t.kind().is_comment())
 }
 
-/// Neighbours of one type whose lines may stand in columns.
+/// Neighbouring records of one type, whose lines may stand in columns.
 #[derive(Default)]
 pub(super) struct Run<'a> {
     entries: Vec<RecordLine<'a>>,
-    /// The values of the first records, one record after another; at most so many as [`KEPT`] says.
+    /// The values of the first records, one record after another; at most [`KEPT`] values.
     cells: Vec<Cell<'a>>,
-    /// The widths that all of them need.
+    /// The columns, each as wide as the records need.
     columns: Vec<Column>,
-    /// The widest without columns, and the most spaces between the values.
+    /// The width of the widest record without columns, and the most spaces that any record has between its values.
     unaligned: usize,
     spaces: usize,
 }
 
-/// Most values whose spelling is kept until they are written.
+/// The most values whose spelling is kept until they are written.
 const KEPT: usize = 1 << 12;
 
 impl<'a> Run<'a> {
-    /// Adds a record; prints those before it if it does not belong with them.
+    /// Adds a record. If the record does not belong to the run, prints the run first.
     pub(super) fn push(&mut self, context: &Context<'a>, page: &mut Page, entry: RecordLine<'a>) {
         if rows::is_wanted(context, entry.record) {
             self.print(context, page);
@@ -105,7 +105,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Makes room for a record in the columns.
+    /// Widens the columns to the values of a record.
     #[inline]
     fn widen(&mut self, context: &Context<'a>, record: &'a Record) {
         let (mut width, mut spaces) = (0, 0);
@@ -133,7 +133,7 @@ impl<'a> Run<'a> {
             && may_align(aligned, self.unaligned, context.options.width)
     }
 
-    /// Prints the records.
+    /// Prints the records of the run and empties it.
     pub(super) fn print(&mut self, context: &Context<'a>, page: &mut Page) {
         let aligned = self.may_align(context);
         let mut kept = self.cells.as_slice();
@@ -173,7 +173,7 @@ pub(super) fn cells<'a>(
         .map(move |(i, token)| context.cell(record, i, token))
 }
 
-/// Writes a record, with the comments in it; in columns if there are any, which nothing but plain records is.
+/// Writes a record with the comments in it. Only a record without comments may have columns.
 fn write<'a>(
     context: &Context,
     out: &mut String,

@@ -18,19 +18,19 @@ pub struct Document {
     pub tokens: Vec<Token>,
     /// Records in file order, whole and broken; comments between them are found in `tokens`.
     pub items: Vec<Item>,
-    /// The values of the records' parameters, each read once; NaN where one is no number. Those of a record stand one
-    /// behind the other, from [`Record::value`] on.
+    /// The values of all records' parameters, in file order, each read once; NaN for a parameter that is no number. The
+    /// values of one record begin at [`Record::value`].
     pub values: Vec<f64>,
-    /// How many significant tokens were cut into records by trying all ways: those of a text with mistakes that is not
-    /// laid out in lines. It takes hundreds of times as long as reading.
+    /// The number of significant tokens in stretches that are not laid out in lines. All ways to cut these stretches
+    /// into records are tried, which takes hundreds of times as long as reading.
     pub searched: usize,
-    /// The kinds of records and other things that there are.
+    /// Which kinds of records the text has, and whether it has comments, separators and broken items.
     pub contents: Contents,
-    /// The first tokens of records that take their last numbers from a line which would be a record of its own: W314
-    /// says so. Another layout would hide it.
+    /// The first tokens of doubtful records, ascending: records that take their last numbers from a line which would be
+    /// a record of its own (W314), and rotations about axis 0. Another layout would hide the mistake.
     pub doubted: Vec<u32>,
-    /// The first tokens of records behind another one on its line that define an ID anew: they are rather surplus numbers
-    /// of that one, as the last operands in `12 -101 2 3 4 5 6 7 8 9`.
+    /// The first tokens of records that follow another record on its line and define an ID that is defined twice. Their
+    /// numbers may be surplus numbers of the record before, like the last operands in `12 -101 2 3 4 5 6 7 8 9`.
     pub redefining: Vec<u32>,
 }
 
@@ -55,11 +55,11 @@ const _: () = assert!(size_of::<Token>() == 8 && size_of::<Item>() == 24);
 /// between them.
 #[derive(Debug, Clone, Copy)]
 pub struct Record {
-    /// 1 to 2 147 483 647.
+    /// The record's ID, 1 to 2 147 483 647.
     pub id: u32,
     /// The kind of the record.
     pub kind: RecordKind,
-    /// Token indices of the ID and of the record's last token.
+    /// The index of the ID's token.
     pub first: u32,
     /// The index of the record's last token.
     pub last: u32,
@@ -76,26 +76,26 @@ pub struct Broken {
     pub first: u32,
     /// The index of the last token.
     pub last: u32,
-    /// The ID it most likely has; references to it are no errors.
+    /// The ID that the text most likely defines, if one could be told. References to this ID are no errors.
     pub id: Option<u32>,
     /// The type of the record, if that could be told.
     pub kind: Option<RecordKind>,
     /// The fault.
     pub fault: Fault,
-    /// Whether the text is one slip of the pen away from a record.
+    /// Whether only a small mistake, such as a number too many, keeps the text from being a record.
     pub is_slip: bool,
 }
 
-/// The fault of a [`Broken`] item, as far as it matters to what others make of it.
+/// The fault of a [`Broken`] item, in the few kinds that later stages tell apart.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
-    /// The form of its parameters.
+    /// Any fault but those below: a malformed parameter, a missing type, a lost sign.
     Form,
-    /// The number of its parameters: its type may be another one's.
+    /// A wrong number of parameters. The type may be the mistake instead: another type may take as many.
     Arity,
     /// A type that does not exist.
     UnknownType,
-    /// A lost ID: one undefined reference may mean it.
+    /// A missing ID. One reference to an undefined ID may mean this item.
     LostId,
 }
 
@@ -129,7 +129,8 @@ impl Item {
         }
     }
 
-    /// The ID that it defines and does not change.
+    /// The ID of an item whose type always defines its ID anew. `None` for a type that may change an ID, and for the
+    /// declaration of an undefined object.
     fn defined(&self) -> Option<u32> {
         let (id, kind) = match self {
             Item::Record(r) => (r.id, r.kind),
@@ -143,7 +144,7 @@ impl Item {
         is_definition.then_some(id)
     }
 
-    /// Token indices of its first and last token.
+    /// The indices of the item's first and last token.
     pub fn ends(&self) -> (u32, u32) {
         match *self {
             Item::Void { token } => (token, token),
@@ -157,8 +158,8 @@ impl Document {
     /// A document of items in the order of the text. For `searched` see [`Document::searched`].
     pub(super) fn new(lexed: Lexed, mut items: Vec<Item>, searched: usize) -> Document {
         let contents = Contents::new(&items, &lexed);
-        // Of the values only those of parameters are kept. They move to the front, where nothing is that is still
-        // needed: the records are in order.
+        // Only the values of parameters are kept. They move to the front, and overwrite no value that is still needed,
+        // since the records are in order.
         let mut values = lexed.values;
         let mut kept = 0;
         for item in &mut items {
@@ -185,7 +186,7 @@ impl Document {
         }
     }
 
-    /// Takes down the records that findings doubt, which are in the order of their places.
+    /// Fills [`doubted`](Self::doubted) and [`redefining`](Self::redefining). `findings` must be sorted by place.
     pub(super) fn doubt(&mut self, findings: &[Diagnostic]) {
         let line_breaks = findings.iter().filter(|d| d.code == Code::W314);
         let doubted = line_breaks.filter_map(|d| self.item_at(d.span.start));
@@ -206,7 +207,7 @@ impl Document {
             matches!(two[0], Item::Record(_)) && between.all(|t| t.kind() != TokenKind::Newline)
         };
         let behind = self.items.windows(2).filter(is_behind);
-        // No operation has itself as an operand.
+        // An operation is no operand of itself, so a record with the same ID is no surplus operand.
         let behind = behind.filter(|two| two[0].record().map(|r| r.id) != two[1].defined());
         let behind = behind.filter_map(|two| Some((two[1].defined()?, two[1].ends().0)));
         let behind: Vec<(u32, u32)> = behind.collect();
@@ -221,8 +222,8 @@ impl Document {
         again.map(|(_, first)| first).collect()
     }
 
-    /// Whether a record turns about axis 0, which is none: what follows may be numbers of it, as the angles about y and z
-    /// in `2 -2 90 0 0`.
+    /// Whether an item is a rotation about axis 0, which does not exist. The numbers behind it may belong to the
+    /// rotation, like the angles about y and z in `2 -2 90 0 0`.
     fn is_about_nothing(&self, item: &Item) -> bool {
         let turn = item.record().filter(|r| r.kind == RecordKind::Rotation);
         turn.is_some_and(|r| self.values(r).last() == Some(&0.0))
@@ -238,7 +239,8 @@ impl Document {
         self.redefining.binary_search(&first).is_ok()
     }
 
-    /// The index of the item to which a place in the text belongs.
+    /// The index of the item that holds the token at byte `at` of the text, or the next token if `at` is between two.
+    /// `None` if that token belongs to no item.
     pub fn item_at(&self, at: u32) -> Option<usize> {
         let token = self.tokens.partition_point(|t| t.end() <= at) as u32;
         let item = self.items.partition_point(|item| item.ends().1 < token);
@@ -295,7 +297,7 @@ impl Document {
         out
     }
 
-    /// The comments by themselves on the line before a record. A `0` may introduce them.
+    /// The comments on the line before a record, if nothing but comments and an introducing `0` is on that line.
     pub fn comments_before(&self, record: &Record) -> impl Iterator<Item = &Token> {
         let before = match self.tokens[..record.first as usize].split_last() {
             Some((last, before)) if last.kind() == TokenKind::Newline => before,
@@ -308,7 +310,8 @@ impl Document {
         (if is_alone { comments } else { &[] }).iter()
     }
 
-    /// The comments in a record, and those behind it on its last line. A `0` may introduce these.
+    /// The comments inside of a record, and the comments behind it on its last line. A `0` may introduce the comments
+    /// behind it.
     pub fn comments_at(&self, record: &Record) -> impl Iterator<Item = &Token> {
         let (first, end) = (record.first as usize, record.last as usize + 1);
         let within = self.tokens[first..end]
@@ -324,7 +327,8 @@ impl Document {
     }
 }
 
-/// Tokens without a `0` before them. A record has more tokens.
+/// Drops a leading integer of one digit: the `0` that introduces a comment. If the digit is an ID instead, other
+/// numbers follow, and the caller finds no comments.
 fn without_void(tokens: &[Token]) -> &[Token] {
     match tokens {
         [void, rest @ ..] if void.kind() == TokenKind::Integer && void.end() == void.start + 1 => {

@@ -1,7 +1,8 @@
 //! Calculations that a person has left in the text: `3*0.3`, `2^3`, `√2`, `½`; and numbers with another sign for their
 //! point, or none.
 
-/// The number that arithmetic, or another sign in the place of a decimal point, stands for.
+/// The value of a calculation, or of a number with another sign in the place of its decimal point. `None` for other
+/// texts.
 pub fn calculated(text: &str) -> Option<String> {
     let (sign, rest) = match text.strip_prefix('-') {
         Some(rest) => (-1.0, rest),
@@ -19,7 +20,7 @@ pub fn calculated(text: &str) -> Option<String> {
             None => operation(rest)?,
         },
     };
-    // Decimal numbers have no more digits than they were made of.
+    // Twelve digits suffice for a result of short decimal numbers; further ones are rounding, as in 0.1 + 0.2.
     let rounded = format!("{:.11e}", sign * value).parse().unwrap_or(value);
     let close = (rounded - sign * value).abs() <= 4.0 * f64::EPSILON * value.abs();
     let shown = if close { rounded } else { sign * value };
@@ -51,7 +52,7 @@ pub fn opposite(text: &str) -> String {
     }
 }
 
-/// Two numbers and what is between them.
+/// The value of two numbers with `^`, `**`, `*` or `+` between them.
 fn operation(text: &str) -> Option<f64> {
     let parts = |sign: &str| {
         let (a, b) = text.split_once(sign)?;
@@ -64,8 +65,8 @@ fn operation(text: &str) -> Option<f64> {
     power.or_else(product).or_else(sum)
 }
 
-/// A number with another sign in the place of its decimal point, as `0'8` or `0:8`. Behind another digit than 0 most may
-/// be something else.
+/// A number with another sign in the place of its decimal point, as `0'8` or `0:8`. Before another sign than an
+/// apostrophe only a 0 may stand, since `2:3` may be something else.
 fn pointed(text: &str) -> Option<String> {
     let at = text.find(['\'', '’', '·', ':'])?;
     let sign = text[at..].chars().next()?;

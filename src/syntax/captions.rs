@@ -12,20 +12,20 @@ use super::words;
 /// The comments of a scene by what they belong to, each as one line of text without control
 /// characters.
 ///
-/// An entity's comment stands within one of its records or behind it on its last line; where there is
-/// none, it is the heading before its first record, a comment on lines of its own with no blank line
-/// in between. What stands before all records and a blank line is the title of the scene, and so is the only
-/// heading of a scene if it stands before all records. That is of the first record, too, where it is one comment and
-/// names a shape that the record is, and no other.
+/// The comment of an entity stands inside of one of its records, or behind one on the record's last line. An entity
+/// without a comment of its own has the heading before its first record: comments on lines of their own with no blank
+/// line in between. Comments before all records, with a blank line behind them, are the title of the scene. The only
+/// heading of a scene is its title, too, if the heading stands before all records. That heading still belongs to the
+/// first record if it is one comment that names the shape of the record and no other shape.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Captions {
     title: Option<String>,
     texts: Vec<String>,
-    /// For each ID the index of its text, and whether that is its own, not a heading.
+    /// For each ID the index of its text, and whether the text is the entity's own comment and no heading.
     ids: HashMap<u32, (u32, bool)>,
 }
 
-/// Most characters of a comment; a longer one is cut off.
+/// The most characters of a comment; a longer one is cut off.
 const MAX_CAPTION_CHARS: usize = 72;
 
 /// The state of the walk along the tokens.
@@ -38,13 +38,13 @@ struct Walk {
     heading_text: Option<u32>,
     /// Line breaks since the last token of another kind.
     breaks: u32,
-    /// The last record, which a comment on the same line belongs to.
+    /// The ID of the record that a comment on this line belongs to.
     last: Option<u32>,
     any_record: bool,
-    /// The text of a heading before all records, and how many headings there are.
+    /// The index of the text of the heading before all records, and the number of headings.
     first: Option<u32>,
     headings: u32,
-    /// The first record's ID, where that heading names its shape.
+    /// The ID of the first record, if the heading before all records names its shape.
     named: Option<u32>,
 }
 
@@ -68,12 +68,12 @@ impl Captions {
         walk.captions
     }
 
-    /// The words for the scene, by its first comments.
+    /// The title of the scene, from its first comments.
     pub fn title(&self) -> Option<&str> {
         self.title.as_deref()
     }
 
-    /// The words of a comment of its own about an entity.
+    /// The text of the entity's own comment. `None` if the entity has a heading at most.
     pub fn own(&self, id: u32) -> Option<&str> {
         let (_, own) = self.ids.get(&id)?;
         self.get(id).filter(|_| *own)
@@ -87,7 +87,7 @@ impl Captions {
         }
     }
 
-    /// The words of a comment or a heading about an entity.
+    /// The text of the entity's own comment, or else of its heading.
     pub fn get(&self, id: u32) -> Option<&str> {
         let (text, _) = self.ids.get(&id)?;
         Some(&self.texts[*text as usize])
@@ -126,7 +126,7 @@ impl Walk {
         self.breaks = 0;
         let record = match item {
             Item::Record(record) => record,
-            // It introduces a comment, which is the record's if there is one before it on the line.
+            // A `0` introduces a comment, which belongs to the record before the `0` on the line, if there is one.
             Item::Void { .. } => return,
             Item::Broken(_) => {
                 self.last = None;
@@ -158,7 +158,7 @@ impl Walk {
         self.last = Some(id);
     }
 
-    /// A comment of the entity itself: its first one counts.
+    /// Takes in a comment that is the entity's own. Only the first one counts.
     fn own(&mut self, id: u32, said: Option<String>) {
         let known = self.captions.ids.get(&id);
         if let Some(said) = said
@@ -174,7 +174,7 @@ impl Walk {
         self.captions.texts.len() as u32 - 1
     }
 
-    /// Gives words that would be about everything to the scene.
+    /// Makes the only heading the title of the scene, if it stands before all records and there is no title yet.
     fn settle_title(&mut self) {
         if let (Some(first), 1, None) = (self.first, self.headings, &self.captions.title) {
             self.captions.title = Some(self.captions.texts[first as usize].clone());
@@ -183,7 +183,7 @@ impl Walk {
         }
     }
 
-    /// A blank line, or another heading.
+    /// Ends a heading: a blank line or another heading follows. Comments before all records become the title.
     fn end_of_block(&mut self) {
         let heading = std::mem::take(&mut self.heading);
         self.heading_text = None;
@@ -193,7 +193,7 @@ impl Walk {
     }
 }
 
-/// Whether words name a shape, and all shapes that they name are this one.
+/// Whether a text names the shape of type `ty` and no other shape.
 fn names(said: &str, ty: &RecordType) -> bool {
     let words = said.split(|c: char| !c.is_alphabetic());
     let mut shapes = words
@@ -203,7 +203,7 @@ fn names(said: &str, ty: &RecordType) -> bool {
     shapes.peek().is_some() && shapes.all(|s| s.iter().any(|s| s.code == ty.code))
 }
 
-/// A comment on one line; nothing if it is empty, meant for zpg, or commented out.
+/// The text of a comment as one line. `None` if the comment is empty, meant for zpg, or commented out.
 fn said(token: &Token, text: &str) -> Option<String> {
     if is_directive(token, text) || is_commented_out(token.text(text)) {
         return None;

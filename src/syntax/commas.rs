@@ -5,8 +5,8 @@ use super::lexer::{Token, TokenKind};
 use super::table::ParamKind;
 use crate::diagnostics::Span;
 
-/// Numbers with a comma between their digits that was taken for a separator, as in `(0,5; 1)`. Commas of a longer list,
-/// such as `1,2,3`, are separators in any case.
+/// Finds each pair of integers with a comma between them that was read as a separator and may be a decimal comma, as in
+/// `(0,5; 1)`. A pair is one token here. Commas of a longer list, such as `1,2,3`, are separators in any case.
 pub fn pairs<'a>(text: &'a str, tokens: &'a [Token]) -> impl Iterator<Item = Token> + 'a {
     let is_comma = move |i: usize| {
         let token = tokens.get(i);
@@ -34,8 +34,8 @@ pub fn pairs<'a>(text: &'a str, tokens: &'a [Token]) -> impl Iterator<Item = Tok
         })
 }
 
-/// The numbers of a scene that are read as two each and may be one with a decimal comma, where another number is
-/// missing then: `2 11 0 1 0,5`.
+/// The spans of the pairs of integers in a scene that may be one number with a decimal comma each, as in `2 11 0 1
+/// 0,5`. The record then lacks another number.
 pub fn in_doubt(text: &str, document: &Document) -> Vec<Span> {
     if !document.contents.separators {
         return Vec::new();
@@ -53,7 +53,7 @@ pub fn in_doubt_of(text: &str, document: &Document, record: &Record) -> Vec<Span
         return Vec::new();
     }
     let (ty, count) = (record.ty(), record.count());
-    // With brackets around it alone it is a point of two coordinates.
+    // A pair with brackets around it alone is a point of two coordinates.
     let is_bracket = |t: Option<&Token>| {
         t.is_some_and(|t| t.kind() == TokenKind::Separator && !matches!(t.text(text), "," | ";"))
     };
@@ -73,7 +73,7 @@ pub fn in_doubt_of(text: &str, document: &Document, record: &Record) -> Vec<Span
     let all: Vec<Token> = pairs(text, tokens)
         .filter(|pair| index(pair).is_some_and(is_real))
         .collect();
-    // All points of a profile, as many as it says.
+    // As many pairs as the profile has points: each pair is a point.
     if ty.is_counted() && all.len() == count {
         return Vec::new();
     }

@@ -1,9 +1,9 @@
 //! Text that is commented out: `0 # ~ 4 9 1 #`, a comment for each line.
 //!
-//! Comments do not nest, so a `#` within is written `~~`, and a `~` as `~'`: `4 9 1 # red #` becomes
-//! `0 # ~ 4 9 1 ~~ red ~~ #`. What is commented out again gains one character for each of these, and no text is
-//! mistaken for the coding of another. The text of a line stands between one space and one space, with all of its own.
-//! A line that goes on with what the line before it has begun, as of a matrix in four rows, begins with `0 # ~+ `.
+//! Comments do not nest, so a `#` within is written `~~`, and a `~` as `~'`: `4 9 1 # red #` becomes `0 # ~ 4 9 1 ~~
+//! red ~~ #`. Text that is commented out twice gains one character for each of these signs, and the coding of one text
+//! is never that of another. The text of a line keeps all of its own spaces, with one more before it and one behind it.
+//! A line that goes on with a record or comment of the line before, as in a matrix in four rows, begins with `0 # ~+ `.
 
 use std::ops::Range;
 
@@ -13,10 +13,10 @@ pub const SIGN: &str = "~~";
 /// The sign that stands for `~`.
 pub const TILDE: &str = "~'";
 
-/// The text behind the records.
+/// The end of a line that is commented out.
 pub const END: &str = " #";
 
-/// Before the text, and before that of a line that goes on.
+/// The beginning of a line that is commented out. `goes_on` is true if the line before has begun its record or comment.
 pub fn begin(goes_on: bool) -> &'static str {
     match goes_on {
         false => "0 # ~ ",
@@ -36,7 +36,7 @@ pub fn is_commented_out(comment: &str) -> bool {
 pub struct CommentedOut {
     /// Whether the line goes on with a record or comment that the line before it has begun.
     pub goes_on: bool,
-    /// The range of the text in the line, in its coding.
+    /// The bytes of the line that hold its text, still coded.
     pub text: Range<usize>,
 }
 
@@ -59,7 +59,7 @@ pub fn read(line: &str) -> Option<CommentedOut> {
     })
 }
 
-/// A line as a comment, which [`read`] reads.
+/// Turns a line into a comment, which [`read`] can read.
 pub fn comment_out(line: &str) -> String {
     let coded = line.replace('~', TILDE).replace('#', SIGN);
     format!("{}{coded}{END}", begin(false))

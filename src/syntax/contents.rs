@@ -1,4 +1,4 @@
-//! The kinds of things that a document has, so that nobody looks for others.
+//! Which kinds of things a document has. Callers skip the search for a kind that is absent.
 
 use super::ast::Item;
 use super::lexed::Lexed;
@@ -42,12 +42,12 @@ impl Contents {
         kinds.iter().any(|k| self.counts[k.place()] > 0)
     }
 
-    /// Whether there is a record that can be read of a type for which this holds.
+    /// Whether a record could be read whose type fulfils `holds`.
     pub fn any(&self, holds: impl Fn(&RecordType) -> bool) -> bool {
         self.count(holds) > 0
     }
 
-    /// How many records can be read of types for which this holds.
+    /// The number of records that could be read and whose types fulfil `holds`.
     pub fn count(&self, holds: impl Fn(&RecordType) -> bool) -> usize {
         let counts = RECORD_TYPES.iter().zip(self.counts);
         let counts = counts.filter(|(ty, count)| *count > 0 && holds(ty));

@@ -6,14 +6,14 @@ use std::borrow::Cow;
 use super::table::{Constraint, Effect, Kind, Param, ParamKind, RecordType, Unit};
 use crate::diagnostics::Language;
 
-/// A parameter with the group it belongs to.
+/// The group of a record's parameters that a parameter belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Group {
     /// Always there, once.
     Fixed,
     /// The n-th of the groups that are repeated as often as the count says.
     Repeated(usize),
-    /// A group that is there with all other optional ones, or not at all.
+    /// Present together with all other optional parameters, or absent together with them.
     Optional,
 }
 
@@ -51,7 +51,7 @@ impl RecordType {
 }
 
 impl Param {
-    /// The kind of value in its place: "number", "ID of a colour, or 0".
+    /// The kind of value that the parameter takes, in words: "number", "ID of a colour, or 0".
     pub fn value_text(&self, language: Language) -> String {
         match self.kind {
             ParamKind::Real => language.say("record-number", &[]),
@@ -122,7 +122,8 @@ impl Param {
     }
 }
 
-/// "an object, a point light or a camera"; `form` is that of languages in which names have several.
+/// The names of some kinds in a list: "an object, a point light or a camera". `form` is the grammatical case of the
+/// names, in languages that have cases.
 fn any_of(kinds: &[Kind], form: &str, language: Language) -> String {
     let name = |kind: &Kind| language.form(kind.name(), form);
     let names: Vec<String> = kinds.iter().map(name).collect();

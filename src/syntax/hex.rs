@@ -1,6 +1,6 @@
 //! Colours as other programs write them: `#ff8000`, `#f80`, `0xff8000`, `ff8000`.
 
-/// Red, green and blue of a word that is such a colour, from 0 to 255.
+/// Red, green and blue, from 0 to 255, of a word that is a colour; `None` for any other word.
 pub fn colour(word: &str) -> Option<[u8; 3]> {
     let sign = word.strip_prefix('#');
     let digits = sign
@@ -19,7 +19,7 @@ pub fn colour(word: &str) -> Option<[u8; 3]> {
     }
 }
 
-/// The colour that a text begins with, its `#` too.
+/// The colour that a text begins with: its word, with the `#`, and its red, green and blue.
 pub fn at_start(text: &str) -> Option<(&str, [u8; 3])> {
     let ends = |c: char| c == '#' || c.is_whitespace();
     let end = text.get(1..)?.find(ends).map_or(text.len(), |i| i + 1);

@@ -18,7 +18,7 @@ pub struct Hidden {
     pub id: u32,
 }
 
-/// The comments over several lines that have records in them, and these.
+/// Finds the comments over several lines that hide records: the span of each, with the records in it.
 pub fn records(text: &str, document: &Document) -> Vec<(Span, Vec<Hidden>)> {
     let mut out = Vec::new();
     if !document.contents.long_comments {
@@ -29,7 +29,7 @@ pub fn records(text: &str, document: &Document) -> Vec<(Span, Vec<Hidden>)> {
         if t.kind() != TokenKind::Comment || t.length() < 2 {
             continue;
         }
-        // Other editors may comment out several lines as one.
+        // Text that is commented out is hidden on purpose. Other editors may comment out several lines as one.
         if is_commented_out(t.text(text)) {
             continue;
         }
@@ -53,19 +53,20 @@ pub fn records(text: &str, document: &Document) -> Vec<(Span, Vec<Hidden>)> {
     out
 }
 
-/// Two lines that a `#` begins each, as a sign that would switch off its line. The first one is a comment, and the second
-/// one, behind the end of that, is none.
+/// Two lines that each begin with a `#`, as if that sign switched its line off. The first line is a comment, which ends
+/// with the `#` of the second line. So the second line is no comment.
 #[derive(Debug)]
 pub struct LoneSigns {
-    /// The lines from their signs on.
+    /// The spans of the two lines, from the `#` on.
     pub lines: [Span; 2],
-    /// The lines without the signs.
+    /// The text of each line without its `#`.
     pub texts: [String; 2],
     /// The IDs of the records on the second line.
     pub ids: Vec<u32>,
 }
 
-/// The lines with such signs that read as records without them, given the comments that have [records] in them.
+/// Finds the pairs of lines with lone signs whose second line is records without its sign. `comments` are the comments
+/// that hide [records].
 pub fn lone_signs(text: &str, comments: &[(Span, Vec<Hidden>)]) -> Vec<LoneSigns> {
     let mut out = Vec::new();
     let mut budget = BYTES_MAX;
@@ -104,10 +105,10 @@ pub fn lone_signs(text: &str, comments: &[(Span, Vec<Hidden>)]) -> Vec<LoneSigns
     out
 }
 
-/// A line that is a comment and would be records without it.
+/// A line that is a comment, and would be records without the signs of the comment.
 #[derive(Debug)]
 pub struct Line {
-    /// All of the line that is to be replaced.
+    /// The part of the line to replace, from its first token to the end of the comment.
     pub span: Span,
     /// The line without the signs of the comment.
     pub text: String,
@@ -152,7 +153,7 @@ pub fn lines(text: &str, document: &Document) -> Vec<Line> {
     out
 }
 
-/// A text that is records and nothing else, but for comments.
+/// Parses a text that is made of records and comments alone; `None` for any other text.
 fn of_records(text: &str) -> Option<Document> {
     // `1 0` is as likely to be a pair of numbers as a placeholder.
     let is_record =
@@ -162,7 +163,8 @@ fn of_records(text: &str) -> Option<Document> {
     is_such.then_some(document)
 }
 
-/// The text inside of a comment on a line, where it begins with a number. A comment that is not closed may have one in it.
+/// The text inside of a comment, if it is one line that begins with a number. A comment that nobody closes may have
+/// another comment inside.
 fn inside(comment: &Token, text: &str) -> Option<String> {
     let written = comment.text(text);
     let inside = written.strip_prefix('#')?;
@@ -181,7 +183,7 @@ fn inside(comment: &Token, text: &str) -> Option<String> {
     (is_number && !inside.contains('\n')).then(|| inside.to_owned())
 }
 
-/// The stretches of lines that begin with a number: prose is not worth reading.
+/// The stretches of neighbouring lines that begin with a number. Prose is left out, as it is slow to read.
 fn blocks(text: &str, inside: Span) -> Vec<Span> {
     let mut blocks: Vec<Span> = Vec::new();
     let mut open = false;
@@ -202,12 +204,12 @@ fn blocks(text: &str, inside: Span) -> Vec<Span> {
     blocks
 }
 
-/// The records of a block that fill their lines.
+/// Adds those records of a block to `hidden` that fill their lines.
 fn read(text: &str, block: Span, hidden: &mut Vec<Hidden>) {
     let text = &text[block.range()];
     let (document, _) = super::parse(text);
     let blank = |s: &str| s.trim_matches([' ', '\t', '\r']).is_empty();
-    // Where the last record ended that fills its lines so far: others may follow on the line.
+    // The end of the last record that fills its lines up to there. Other records may follow on its last line.
     let mut end_of_whole = 0;
     let mut waiting: Vec<Hidden> = Vec::new();
     for item in &document.items {

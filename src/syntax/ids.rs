@@ -1,5 +1,5 @@
-//! A number for each ID. IDs are nearly always small and dense: these have a table, of a size in proportion to
-//! the file. The others, up to 2 147 483 647, are hashed and cost no more than themselves.
+//! A map from IDs to numbers. IDs are nearly always small and dense: small IDs have a table, whose size is in
+//! proportion to the file. Larger IDs, up to 2 147 483 647, are hashed.
 
 use std::fmt;
 
@@ -7,12 +7,12 @@ use rustc_hash::FxHashMap;
 
 #[derive(Clone, Default)]
 pub struct IdTable {
-    /// The number + 1, 0 for none. Pages that nobody touches take no memory.
+    /// For each small ID its number + 1, or 0 if it has none. Pages of memory that nobody touches cost nothing.
     dense: Vec<u32>,
     sparse: FxHashMap<u32, u32>,
 }
 
-/// How large a table is says nothing.
+/// Prints the name alone: the entries would be as many as the records of a file.
 impl fmt::Debug for IdTable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("IdTable").finish_non_exhaustive()
@@ -20,7 +20,7 @@ impl fmt::Debug for IdTable {
 }
 
 impl IdTable {
-    /// A table for the IDs of so many records.
+    /// An empty map for a file with so many records.
     pub fn new(records: usize) -> IdTable {
         IdTable {
             dense: vec![0; 4 * records + 64],
@@ -36,7 +36,7 @@ impl IdTable {
         }
     }
 
-    /// `number` is less than 2³² − 1.
+    /// Sets the number of an ID. `number` must be less than 2³² − 1.
     pub fn insert(&mut self, id: u32, number: u32) {
         match self.dense.get_mut(id as usize) {
             Some(entry) => *entry = number + 1,
@@ -44,7 +44,7 @@ impl IdTable {
         }
     }
 
-    /// The number of an ID, which is this one from now on if it had none.
+    /// Returns the number of an ID. An ID without a number gets `number` first.
     pub fn get_or_insert(&mut self, id: u32, number: u32) -> u32 {
         match self.get(id) {
             Some(number) => number,

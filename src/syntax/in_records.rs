@@ -1,5 +1,5 @@
-//! Whether the numbers of a text are in records. Of a text whose lines begin with numbers that is what tells a scene from
-//! a table, a list or a mesh.
+//! Whether the numbers of a text are in records. That tells a scene from a table, a list or a mesh, whose lines begin
+//! with numbers, too.
 
 use super::ast::{Document, Fault, Item};
 use super::lexer::{Token, TokenKind};
@@ -10,11 +10,13 @@ use crate::diagnostics::{Code, Diagnostic, Value};
 /// A text with fewer numbers may be a scene that was just begun.
 const BEGUN: usize = 12;
 
-/// The fault of a text as a scene where too few of its numbers are in records. Half of them must be, and a fifth where
-/// lines begin as those of scenes alone do. A `0` that introduces a comment does not count.
+/// Reports a text that is no scene because too few of its numbers are in records; `None` for a scene. Half of the
+/// numbers must be in records, or a fifth if some lines begin as only those of scenes do. A `0` that introduces a
+/// comment does not count.
 ///
-/// A table of integers has many rows that would be records but for a number more or less, and from the middle of a row on some
-/// records can be read. So these count only in a text with fewer than twelve numbers, or with lines of a scene.
+/// Records with a number more or less, and records that do not fill their lines, count only in a text with fewer than
+/// twelve numbers or with lines of a scene. A table of integers has many of both: its rows differ from records by a
+/// number, and some records can be read from the middle of a row on.
 pub fn by_records(text: &str, document: &Document) -> Option<Diagnostic> {
     if !document.contents.broken && document.items.iter().any(|i| i.record().is_some()) {
         return None;
@@ -24,7 +26,7 @@ pub fn by_records(text: &str, document: &Document) -> Option<Diagnostic> {
     let mut wrong = None;
     for item in &document.items {
         let (first, last) = item.ends();
-        // As many numbers as the type takes.
+        // `complete` is the type of an item that has as many numbers as its type takes.
         let (count, complete) = match item {
             Item::Record(r) => (2 + r.params as usize, Some(r.ty())),
             Item::Void { .. } => {
@@ -71,9 +73,9 @@ pub fn by_records(text: &str, document: &Document) -> Option<Diagnostic> {
     (right < least).then(finding)
 }
 
-/// Whether a record is on a line, or takes up whole lines as people lay them out: its parameters begin on a line of their
-/// own, or the first line has as many of them as the next one. Of a table's rows all have as many numbers, the first one
-/// with ID and type.
+/// Whether a record is on one line, or takes up whole lines as people lay them out: its parameters begin on a line of
+/// their own, or its first line has as many parameters as the next one. The rows of a table differ: the first one has
+/// as many numbers as the others only with the ID and the type.
 fn is_in_lines(tokens: &[Token], (first, last): (u32, u32), ty: &RecordType) -> bool {
     let (first, last) = (first as usize, last as usize);
     let mut lines = tokens[first..=last]

@@ -1,4 +1,4 @@
-//! The last row of a table of numbers that is rather a record of its own.
+//! Whether the last row of a record's numbers is rather a record of its own.
 
 use super::LEAST_HEAD;
 use super::table::{RecordKind, RecordType, ShapeKind};
@@ -6,8 +6,8 @@ use super::table::{RecordKind, RecordType, ShapeKind};
 /// The rows and columns of the matrix of a quadric.
 const ROWS: usize = 4;
 
-/// Whether the last row of a record's numbers reads as a record, and is rather one: it has a type that no table has there,
-/// or it makes the matrix of a quadric asymmetric.
+/// Whether the last row of a record's numbers can be read as a record, and is rather one: it has a type that no table
+/// of numbers has there, or as a row of a quadric it would make the matrix asymmetric.
 pub fn is_record(ty: &RecordType, params: &[f64]) -> bool {
     let length = ty.vectors.last().copied().unwrap_or(0);
     let Some(start) = params.len().checked_sub(length).filter(|_| length > 2) else {
@@ -27,7 +27,7 @@ pub fn is_record(ty: &RecordType, params: &[f64]) -> bool {
     fits && (is_sure || is_asymmetric(ty, params))
 }
 
-/// Whether the last row of a quadric is not its last column.
+/// Whether the last row of a quadric's matrix differs from its last column.
 fn is_asymmetric(ty: &RecordType, params: &[f64]) -> bool {
     let last = ROWS - 1;
     let differs = |i: usize| params[ROWS * i + last] != params[ROWS * last + i];

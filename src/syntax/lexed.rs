@@ -1,22 +1,22 @@
-//! The tokens of a text in columns. A long text is cut by all threads.
+//! The tokens of a text in columns. All threads work on a long text, each on a part.
 
 use super::commented_out::is_commented_out;
 use super::directive::is_directive;
 use super::lexer::{Token, TokenKind, Tokens};
 use crate::parallel;
 
-/// A text's tokens, and of the significant ones what every reader asks for, in columns.
+/// The tokens of a text; for the significant ones also their values, and whether they begin lines, in columns.
 #[derive(Debug, Default)]
 pub(super) struct Lexed {
     /// All tokens.
     pub tokens: Vec<Token>,
     /// The significant ones.
     pub sigs: Vec<Sig>,
-    /// The values of the tokens, as long as `sigs`; NaN where one is no number.
+    /// The value of each token in `sigs`; NaN for a token that is no number.
     pub values: Vec<f64>,
-    /// The significant tokens that are no plain numbers, ascending.
+    /// Indices into `sigs` of the tokens that are neither integers nor reals, ascending.
     odd: Vec<u32>,
-    /// The tokens that begin lines that are [commented out](super::commented_out), ascending.
+    /// Indices into `sigs` of each `0` that begins a [commented out](super::commented_out) line, ascending.
     out: Vec<u32>,
     /// Whether the text has a comment.
     pub has_comment: bool,
@@ -28,7 +28,8 @@ pub(super) struct Lexed {
     pub has_long_comment: bool,
     /// Whether the text has a comment that nobody closes.
     pub has_unclosed: bool,
-    /// Whether the text has a token that can never be right.
+    /// Whether the text has a token that is wrong everywhere: a malformed or huge number, a decimal comma, or mere
+    /// signs.
     pub has_bad: bool,
     /// Whether a comment is meant for zpg.
     pub has_directive: bool,
@@ -41,7 +42,8 @@ pub(super) struct Lexed {
 pub(super) struct Sig(u32);
 
 impl Sig {
-    /// A file has fewer than 2³¹ bytes, and so fewer tokens.
+    /// The flag of the first token of a line. An index never reaches this bit: a file has fewer than 2³¹ bytes, and so
+    /// fewer tokens.
     const STARTS_LINE: u32 = 1 << 31;
 
     fn new(index: usize, starts_line: bool) -> Sig {
@@ -59,7 +61,7 @@ impl Sig {
 }
 
 impl Lexed {
-    /// Cuts a text and reads its numbers. `unclosed` is that of [`lex`](super::lexer::lex).
+    /// Cuts a text into tokens and reads its numbers. For `unclosed` see [`lex`](super::lexer::lex).
     pub(super) fn new(text: &str, unclosed: &[u32]) -> Lexed {
         let parts = parallel::parts(text.len());
         if parts > 1
@@ -71,18 +73,19 @@ impl Lexed {
         Lexed::part(text, 0, unclosed, text.len())
     }
 
-    /// A text that is cut in parts, which end at `ends`, behind line breaks. `None` if one of those is in a comment.
+    /// Cuts a text in parts on all threads. The parts end at the byte offsets `ends`, behind line breaks. `None` if a
+    /// part ends inside of a comment.
     fn in_parts(text: &str, ends: &[usize]) -> Option<Lexed> {
         let mut parts = parallel::map(ends.len(), |i| {
             let start = if i == 0 { 0 } else { ends[i - 1] };
-            // The first part takes in the others.
+            // The first part has room for the whole text, since the others are appended to it.
             let room = if i == 0 { text.len() } else { ends[i] - start };
             Lexed::part(&text[..ends[i]], start, &[], room)
         })
         .into_iter();
         let mut lexed = parts.next()?;
         for part in parts {
-            // What is open at the end of a part may be closed in the next one.
+            // A comment that is open at the end of a part may be closed in the next part.
             if lexed.has_unclosed {
                 return None;
             }
@@ -91,7 +94,8 @@ impl Lexed {
         Some(lexed)
     }
 
-    /// Cuts a text from the start of a line to its end, with room for the tokens of so many bytes.
+    /// Cuts a text into tokens, from byte `start`, where a line begins, to its end. Reserves memory for the tokens of
+    /// `room` bytes.
     fn part(text: &str, start: usize, unclosed: &[u32], room: usize) -> Lexed {
         let mut lexed = Lexed {
             tokens: Vec::with_capacity(room / 4),
@@ -107,7 +111,7 @@ impl Lexed {
         lexed
     }
 
-    /// Takes in the tokens that follow.
+    /// Appends the tokens of the next part of the text.
     fn append(&mut self, mut part: Lexed) {
         let (tokens, sigs) = (self.tokens.len() as u32, self.sigs.len() as u32);
         self.odd.extend(part.odd.iter().map(|i| i + sigs));
@@ -131,7 +135,7 @@ impl Lexed {
         self.at_line_start = part.at_line_start;
     }
 
-    /// The columns of tokens that were cut before.
+    /// Makes the columns for tokens that exist already.
     pub(super) fn of(text: &str, tokens: Vec<Token>) -> Lexed {
         let mut lexed = Lexed {
             tokens: Vec::with_capacity(tokens.len()),
@@ -189,7 +193,8 @@ impl Lexed {
         self.odd.get(next).is_none_or(|&i| i as usize >= to)
     }
 
-    /// Whether a line that is commented out begins among significant tokens `from..to`: no record goes on there.
+    /// Whether a line that is commented out begins among significant tokens `from..to`. A record does not go on across
+    /// that line.
     #[inline]
     pub(super) fn goes_out(&self, from: usize, to: usize) -> bool {
         let next = self.out.partition_point(|&i| (i as usize) < from);
@@ -197,8 +202,9 @@ impl Lexed {
     }
 }
 
-/// Places at which a text may be cut in so many parts of about the same length: behind line breaks that are in no
-/// comment, if every `#` is one of a comment. The last one is the end of the text.
+/// The byte offsets at which the parts of a text end, if it is cut into about `parts` parts of equal length. Each is
+/// behind a line break outside of comments, provided that every `#` opens or closes a comment. The last offset is the
+/// end of the text.
 fn lines_near(text: &str, parts: usize) -> Vec<usize> {
     let bytes = text.as_bytes();
     let mut ends: Vec<usize> = Vec::with_capacity(parts);

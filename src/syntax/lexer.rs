@@ -1,5 +1,5 @@
-//! Text to tokens. Comments, line breaks and stray separators are tokens too, so that the text can
-//! be printed again; only plain white space is left out, as what lies between the tokens.
+//! Text to tokens. Comments, line breaks and stray separators are tokens too, so that the text can be printed again.
+//! Only plain white space has no tokens: it is the text between them.
 
 use std::fmt;
 
@@ -29,12 +29,12 @@ pub enum TokenKind {
     Quoted,
     /// `# … #`.
     Comment,
-    /// A comment that is taken to end with its line.
+    /// A comment without a closing `#`, which is taken to end with its line.
     UnterminatedComment,
     /// A separator, one of [`SEPARATORS`], read as white space.
     Separator,
     Newline,
-    /// U+FEFF at the start of a line: a file began there once.
+    /// U+FEFF at the start of the text or of a line: a file began there before several were joined.
     ByteOrderMark,
 }
 
@@ -109,15 +109,15 @@ impl TokenKind {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Token {
     pub start: u32,
-    /// The kind above [`LENGTH_BITS`], the length below.
+    /// The number of the kind above the lowest [`LENGTH_BITS`] bits, the length in bytes in those.
     packed: u32,
 }
 
 const LENGTH_BITS: u32 = 28;
 
 impl Token {
-    /// No token of a scene is as long, 256 MiB; [`recognise`](super::recognise) sees to that, by [`too_long`]. Longer
-    /// ones are cut off here.
+    /// The greatest length that a token can store, 256 MiB less a byte. Longer tokens are cut off at this length, and
+    /// [`recognise`](super::recognise) refuses a text that has a token of this length, by [`too_long`].
     pub const LENGTH_MAX: usize = (1 << LENGTH_BITS) - 1;
 
     #[inline]
@@ -152,7 +152,7 @@ impl Token {
             .unwrap_or("")
     }
 
-    /// The value of an [`TokenKind::Integer`], cut off at the limits of `i64`.
+    /// The value of an [`TokenKind::Integer`], clamped to the limits of `i64`.
     pub fn integer(&self, source: &str) -> Option<i64> {
         if self.kind() != TokenKind::Integer {
             return None;
@@ -165,7 +165,7 @@ impl Token {
         }))
     }
 
-    /// The value of an [`TokenKind::Integer`] that fits, as IDs, types and counts do.
+    /// The value of an [`TokenKind::Integer`] that fits into `i32`, the range of IDs, types and counts.
     pub fn int(&self, source: &str) -> Option<i32> {
         match self.kind() {
             TokenKind::Integer => self.text(source).parse().ok(),
@@ -190,8 +190,9 @@ impl fmt::Debug for Token {
     }
 }
 
-/// The signs of the handout's table notation, and what looks like them. They are given as numbers, since a text that is
-/// normalised loses some of them. The automaton below has the same ones.
+/// The punctuation marks of the handout's table notation, and characters that look like them. Code points stand here
+/// for the characters, since Unicode normalisation would replace some. The regular expressions below list the same
+/// ones.
 #[rustfmt::skip]
 pub const SEPARATORS: &[char] = &[
     ',', ';', '<', '>', '(', ')', '[', ']', '{', '}',
@@ -231,18 +232,19 @@ enum Raw<'s> {
     Quoted,
     #[regex(r"[,;<>()\[\]{}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF3B}\u{FF3D}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}]")]
     Separator,
-    /// A comment, whose end is found by hand: where it is depends on the comments before.
+    /// A comment; the flag says whether it is closed. The function [`comment`] finds its end, which depends on the
+    /// offsets of the unclosed ones.
     #[token("#", comment)]
     Comment(bool),
     #[regex(r##"[^\p{White_Space}#,;<>()\[\]{}\u{27E8}\u{27E9}\u{2329}\u{232A}\u{3008}\u{3009}\u{2039}\u{203A}\u{AB}\u{BB}\u{27EA}\u{27EB}\u{300A}\u{300B}\u{276C}\u{276D}\u{276E}\u{276F}\u{2770}\u{2771}\u{FF1C}\u{FF1E}\u{FE64}\u{FE65}\u{FF08}\u{FF09}\u{FE59}\u{FE5A}\u{FF3B}\u{FF3D}\u{FF5B}\u{FF5D}\u{FE5B}\u{FE5C}\u{FF0C}\u{FE50}\u{3001}\u{FF1B}\u{FE54}\u{37E}"]+"##, priority = 1)]
     #[token("\"", priority = 1)]
     Word,
-    // Only there to carry the lifetime of the extras.
+    // This variant carries the lifetime of the extras. No text matches it.
     #[allow(dead_code)]
     Never(&'s ()),
 }
 
-/// Offsets of the `#` that open a comment nobody closes, ascending; the lexer walks along them.
+/// Offsets of the `#` that open comments which nobody closes, ascending. The lexer drops those that it has passed.
 #[derive(Debug, Clone, Copy, Default)]
 struct Unclosed<'s>(&'s [u32]);
 
@@ -285,12 +287,12 @@ pub fn too_long(text: &str, unclosed: &[u32]) -> Option<Token> {
 /// The tokens of a text, one after another.
 pub struct Tokens<'s> {
     text: &'s str,
-    /// How far the text is cut; `raw` may lag behind.
+    /// The byte up to which the text has been cut into tokens; `raw` may lag behind.
     at: usize,
     raw: logos::Lexer<'s, Raw<'s>>,
-    /// The comma behind an integer.
+    /// The comma behind the integer that was returned last, if it is the next token.
     comma: Option<Token>,
-    /// The end of the last separator.
+    /// The byte at which the last separator ends.
     separated: usize,
 }
 
@@ -300,7 +302,7 @@ impl<'s> Tokens<'s> {
         Tokens::starting_at(text, 0, unclosed)
     }
 
-    /// The tokens from a place on, where a token begins.
+    /// The tokens from byte `at` on, which must not be inside of a token.
     pub(super) fn starting_at(text: &'s str, at: usize, unclosed: &'s [u32]) -> Tokens<'s> {
         Tokens {
             text,
@@ -330,8 +332,9 @@ impl<'s> Tokens<'s> {
         }
     }
 
-    /// The next token and its value, if it is what most are: a line break, a comment that is closed, or a
-    /// number without an exponent between white space. It is what the automaton would say, and sooner.
+    /// A quick way to read the commonest tokens: a line break, a closed comment, or a number without an exponent that
+    /// white space or a `#` follows. Returns the token and the value that the automaton would find; `None` for any
+    /// other token.
     #[inline]
     fn plain(&mut self) -> Option<(Token, f64)> {
         let bytes = self.text.as_bytes();
@@ -391,8 +394,8 @@ impl<'s> Tokens<'s> {
             return None;
         }
         self.at = at;
-        // Both are exact, and so the quotient is rounded once (W. D. Clinger, How to read floating point
-        // numbers accurately, PLDI 1990).
+        // The digits and the power of ten are exact, and so their quotient is rounded only once (W. D. Clinger, How to
+        // read floating point numbers accurately, PLDI 1990).
         let value = if count <= EXACT_DIGITS && decimals < POWERS.len() {
             let magnitude = digits as f64 / POWERS[decimals];
             if first == b'-' { -magnitude } else { magnitude }
@@ -403,15 +406,15 @@ impl<'s> Tokens<'s> {
     }
 }
 
-/// Numbers of so many digits are less than 2⁵³.
+/// Integers of at most this many digits are less than 2⁵³, and so exact as doubles.
 const EXACT_DIGITS: usize = 15;
 
-/// Powers of ten; those up to 10²² are exact.
+/// Powers of ten by their exponents. As doubles they are exact, like all powers up to 10²².
 const POWERS: [f64; 16] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
 ];
 
-/// A number of fewer characters and no exponent is finite.
+/// A number without an exponent that has fewer characters than this is finite as a double.
 const SURELY_FINITE: usize = 300;
 
 impl Iterator for Tokens<'_> {
@@ -424,7 +427,7 @@ impl Iterator for Tokens<'_> {
 }
 
 impl Tokens<'_> {
-    /// The next token, whatever it is.
+    /// The next token of any kind, found by the automaton; `None` at the end of the text.
     fn other(&mut self) -> Option<Token> {
         loop {
             self.raw.bump(self.at - self.raw.span().end);
@@ -448,7 +451,7 @@ impl Tokens<'_> {
                     let after = (self.raw.remainder())
                         .starts_with(|c: char| c != '#' && c != ';' && !c.is_whitespace());
                     if before || after {
-                        // Lex again from the comma on: what follows it may be longer than it looked.
+                        // The automaton begins again at the comma: the number behind it may be longer than it looked.
                         let comma = span.start + slice.find(',').unwrap_or(0);
                         self.comma = Some(Token::new(TokenKind::Separator, comma, comma + 1));
                         (self.at, self.separated) = (comma + 1, comma + 1);
@@ -481,12 +484,13 @@ impl Tokens<'_> {
 /// The byte order mark that a file in Unicode may begin with.
 const MARK: char = '\u{feff}';
 
-/// Whether a file may begin behind a text: it is the first, or the files were written one behind the other.
+/// Whether a file may begin right behind the text `before`: at the start, or where several files were joined line by
+/// line.
 fn begins_a_file(before: &str) -> bool {
     before.is_empty() || before.ends_with(['\n', '\r', MARK])
 }
 
-/// The given kind for a number that fits a double.
+/// Returns `kind` for a number that is finite as a double, else [`TokenKind::HugeNumber`].
 fn finite(text: &str, kind: TokenKind) -> TokenKind {
     match text.parse::<f64>() {
         Ok(x) if x.is_finite() => kind,
@@ -494,7 +498,7 @@ fn finite(text: &str, kind: TokenKind) -> TokenKind {
     }
 }
 
-/// Tells words that were meant as numbers from other words and from mere signs.
+/// The kind of a word: one that was meant as a number, another word with letters, or mere signs.
 fn word(text: &str) -> TokenKind {
     let unsigned = text.trim_start_matches(['+', '-', '−', '–', '.']);
     let letters = unsigned.to_ascii_lowercase();

@@ -1,6 +1,6 @@
-//! Text to records: the record [`table`], the [`lexer`], the [`parser`] with its [recovery], and the
-//! typed syntax tree ([`ast`]) that still holds every character of the source; and what is
-//! made of the table: words ([`describe`]). The reference and the EBNF are made of it by `tests/grammar`.
+//! Text to records: the record [`table`], the [`lexer`], the [`parser`] with its [recovery], and the typed syntax tree
+//! ([`ast`]) that still holds every character of the source. The table also gives the words of [`describe`];
+//! `tests/grammar` makes the reference and the EBNF from it.
 //!
 //! ```text
 //!   text ──lexer──► lexed: columns of tokens, significant tokens, values   logos; each number is read once

@@ -1,9 +1,9 @@
 //! Text to tree.
 //!
-//! [chumsky](https://docs.rs/chumsky) drives a grammar of three: `(void | record | gap)*`. A record is read by
-//! [`signature`]; it is taken if the layout agrees: it begins with a line and ends with one, or is
-//! one of several on a line that ends with its last. A gap is everything else. It is only measured here, up to where
-//! records agree with the layout again, and read by [`recovery`] when the rest of the text is known.
+//! [chumsky](https://docs.rs/chumsky) drives a grammar of three rules: `(void | record | gap)*`. [`signature`] reads a
+//! record. It is taken if the layout agrees: the record begins and ends with a line, or is one of several on a line
+//! that ends with the last of them. A gap is everything else. The parser only measures a gap, up to where records agree
+//! with the layout again; [`recovery`] reads it when the rest of the text is known.
 
 use chumsky::error::Cheap;
 use chumsky::extra::{self, SimpleState};
@@ -69,7 +69,7 @@ pub fn parse(text: &str) -> (Document, Vec<Diagnostic>) {
     (document, findings)
 }
 
-/// The items of a text that needs no recovery; `None` for any other.
+/// The document of a text that needs no recovery; `None` for any other text.
 pub fn parse_plain(text: &str) -> Option<Document> {
     let lexed = Lexed::new(text, &[]);
     if lexed.has_bad || has_pair(text, &lexed) || may_be_unclosed(&lexed, text) {
@@ -83,7 +83,7 @@ pub fn parse_plain(text: &str) -> Option<Document> {
     gaps.is_empty().then(|| Document::new(lexed, items, 0))
 }
 
-/// Whether a comment may have lost its `#`, or a `#` be none of a comment.
+/// Whether a comment may have lost its `#`, or a `#` may belong to a colour such as `#ff8000`.
 fn may_be_unclosed(lexed: &Lexed, text: &str) -> bool {
     let is_odd = || lexed.has_word || recovery::comments::has_colour(text);
     lexed.has_unclosed || lexed.has_long_comment && is_odd()
@@ -97,17 +97,17 @@ struct Plan<'s> {
     notes: Vec<Diagnostic>,
     /// The IDs that are defined, in the order of the file.
     defined: Vec<u32>,
-    /// Up to here the records on the line follow one another.
+    /// The significant token up to which the layout agrees with the records on the line.
     run_to: usize,
-    /// The start of the optional group that may be a broken record.
+    /// The significant token that begins the optional group which may be a broken record.
     doubted: Option<usize>,
     /// How many more tokens may be looked at in search of the ends of gaps.
     budget: usize,
-    /// See [`Document::searched`].
+    /// The number of tokens that become [`Document::searched`].
     searched: usize,
 }
 
-/// Significant tokens that are not read, and behind which item.
+/// Significant tokens `from..to`, which recovery reads. Their items come before item `item`.
 #[derive(Debug, Clone, Copy)]
 struct Gap {
     from: usize,
@@ -118,7 +118,7 @@ struct Gap {
 type Extra<'s> = extra::Full<Cheap, SimpleState<Plan<'s>>, ()>;
 type Input<'s, 'p> = InputRef<'s, 'p, &'s [Sig], Extra<'s>>;
 
-/// The grammar. What it reads is in the state.
+/// The grammar. It puts the items that it reads into the state, the [`Plan`].
 fn scene<'s>() -> impl Parser<'s, &'s [Sig], (), Extra<'s>> {
     let part = |read: fn(&mut Plan<'s>, usize) -> Option<usize>| {
         custom(move |input: &mut Input<'s, '_>| {
@@ -138,20 +138,20 @@ fn scene<'s>() -> impl Parser<'s, &'s [Sig], (), Extra<'s>> {
         .then_ignore(end())
 }
 
-/// How many lines in a row must be records of their own, to end a gap.
+/// How many items in a row must agree with the layout to end a gap.
 const AGREEING: usize = 3;
 /// How many items before a gap, and behind it, are read once more with it.
 const CONTEXT: usize = 2;
-/// A reading by arity that goes on for so many records without agreeing with the layout is of a text that has none.
+/// A text has no layout if more records than this are read by arity and none agrees with the layout.
 const WITHOUT_LAYOUT: usize = 12;
-/// How often a token may be looked at in search of the ends of gaps.
+/// How often each token may be looked at in search of the ends of gaps, on average.
 const LOOKS: usize = 16;
 
 impl<'s> Plan<'s> {
     fn of(columns: Columns<'s>) -> Plan<'s> {
         let plan = Plan {
             columns,
-            // Hardly any record is shorter.
+            // Hardly any record has fewer than three tokens.
             items: Vec::with_capacity(columns.len() / 3),
             gaps: Vec::new(),
             notes: Vec::new(),
@@ -180,7 +180,7 @@ impl<'s> Plan<'s> {
         plan
     }
 
-    /// Gives up the record whose optional group is likelier a broken record, if nothing else is wrong.
+    /// Makes a record a gap if its optional group is likelier a broken record and the text has no other gap.
     fn doubt_group(&mut self) {
         if !self.gaps.is_empty() {
             return;
@@ -198,7 +198,7 @@ impl<'s> Plan<'s> {
         self.doubted = Some(group.start);
     }
 
-    /// `0`, alone.
+    /// Reads a VOID, a `0` where a record may begin. Returns the token behind it.
     fn void(&mut self, start: usize) -> Option<usize> {
         let c = &self.columns;
         let there = c.int(start)? == 0 && (c.starts_line(start) || start < self.run_to);
@@ -209,7 +209,7 @@ impl<'s> Plan<'s> {
         })
     }
 
-    /// A record with which the layout agrees.
+    /// Reads a record with which the layout agrees. Returns the token behind it.
     fn record(&mut self, start: usize) -> Option<usize> {
         let c = self.columns;
         let reading = signature::read(&c, start, c.len())?;
@@ -226,7 +226,7 @@ impl<'s> Plan<'s> {
         Some(reading.end)
     }
 
-    /// A `0` before a comment may stand before a record on its line.
+    /// Whether a token follows a `0` and its comment, which may stand before a record on its line.
     fn follows_void(&self, start: usize) -> bool {
         let c = &self.columns;
         start > 0
@@ -235,8 +235,7 @@ impl<'s> Plan<'s> {
             && matches!(self.items.last(), Some(Item::Void { .. }))
     }
 
-    /// Whether the layout agrees with a record that begins with a line; says where the records on its last line
-    /// end.
+    /// The end of the records on the last line of a record, which begins with a line, if the layout agrees with it.
     fn agrees(&self, start: usize, reading: &Reading) -> Option<usize> {
         let c = &self.columns;
         let first_break = (start + 1..reading.end).find(|&i| c.starts_line(i));
@@ -246,7 +245,7 @@ impl<'s> Plan<'s> {
         }
         let mut end = reading.end;
         while !c.ends_line(end) {
-            // Several records on the line, or headings.
+            // More records follow on the line, or a `0` with a comment.
             if c.int(end) == Some(0) {
                 if !c.before_comment(end) {
                     return None;
@@ -264,7 +263,7 @@ impl<'s> Plan<'s> {
         Some(end)
     }
 
-    /// Whether a record whose second line begins at a token has lines among its own that say they are records.
+    /// Whether a line of the record at tokens `head..end`, from its second line on, looks like a record of its own.
     fn takes_lines(&self, head: usize, second_line: usize, end: usize) -> bool {
         let c = &self.columns;
         let (mut line, mut length_before) = (second_line, 0);
@@ -288,14 +287,14 @@ impl<'s> Plan<'s> {
         }
     }
 
-    /// Plans the gap, from `start` on, where no other way applies. The items just before are read once more with it.
+    /// Plans a gap from `start` on, where neither a VOID nor a record can be read. The items just before join the gap.
     fn gap(&mut self, start: usize) -> Option<usize> {
         if start == self.columns.len() {
             return None;
         }
         let mut from = start;
         let least = self.gaps.last().map_or(0, |g| g.to);
-        // Back to the beginning of a line, and some items further.
+        // The gap goes back to the beginning of a line, some items before `start`.
         let mut context = CONTEXT;
         while from > least && (context > 0 || !self.columns.starts_line(from)) {
             let Some(item) = self.items.pop() else { break };
@@ -312,7 +311,7 @@ impl<'s> Plan<'s> {
             return Some(to);
         }
         match self.gaps.last_mut() {
-            // Nothing lies between the two.
+            // No item lies between this gap and the last one.
             Some(last) if last.to == from => last.to = to,
             _ => self.gaps.push(Gap {
                 from,
@@ -324,8 +323,8 @@ impl<'s> Plan<'s> {
         Some(to)
     }
 
-    /// The end of a gap that begins at a token: the place where the reading by arity agrees with the layout again, else
-    /// where lines are records again; and whether the reading by arity got there.
+    /// The end of a gap: where the reading by arity agrees with the layout again, or else where lines are records
+    /// again. The flag says whether the reading by arity got there.
     fn end_of_gap(&mut self, start: usize) -> (usize, bool) {
         let c = self.columns;
         let n = c.len();
@@ -401,7 +400,7 @@ impl<'s> Plan<'s> {
         3 * own < lines
     }
 
-    /// Reads all of a text by arity. Whether there is nothing wrong with what that gives.
+    /// Reads the whole text by arity. Keeps the items and returns `true` if nothing is wrong with them.
     fn take_all(&mut self) -> bool {
         let c = self.columns;
         self.items.clear();
@@ -438,7 +437,7 @@ impl<'s> Plan<'s> {
         sound
     }
 
-    /// The end of the first of some items that agree with the layout from a line's beginning on, if enough of them do.
+    /// If [`AGREEING`] items from a line on agree with the layout: the end of the first [`CONTEXT`] of them.
     fn agreeing(&mut self, line: usize) -> Option<usize> {
         let c = self.columns;
         let mut at = line;
@@ -481,7 +480,7 @@ impl<'s> Plan<'s> {
         twice
     }
 
-    /// Whether something is defined twice by records one of which may have lost its ID.
+    /// Whether an ID is defined twice, and one of its records may be another one that has lost its ID.
     fn lost_an_id(&self) -> bool {
         let twice = self.defined_twice();
         if twice.is_empty() {
@@ -498,7 +497,7 @@ impl<'s> Plan<'s> {
         })
     }
 
-    /// Reads the gaps.
+    /// Has [`recovery`] read the gaps, and puts their items in place.
     fn fill(&mut self, findings: &mut Vec<Diagnostic>) {
         let c = self.columns;
         let lines = |from: usize, to: usize| {
@@ -532,7 +531,7 @@ impl<'s> Plan<'s> {
         self.items = items;
     }
 
-    /// A gap in parts that are not too long, cut between lines that are records each, but for a number or two.
+    /// Cuts a gap into parts that are not too long, between lines that are records each, but for a number or two.
     fn parts(&self, from: usize, to: usize) -> Vec<(usize, usize)> {
         let c = &self.columns;
         let mut parts = Vec::new();
@@ -551,7 +550,7 @@ impl<'s> Plan<'s> {
     }
 }
 
-/// How many gaps one thread reads at least.
+/// How many parts of gaps one thread reads at least.
 const PARTS: usize = 16;
 /// Gaps with more significant tokens are cut, if there is a place.
 const LONGEST_PART: usize = 30_000;
@@ -579,7 +578,7 @@ fn defines(ty: &RecordType) -> bool {
     matches!(ty.effect, Effect::Defines(_)) && ty.kind != RecordKind::Render
 }
 
-/// How many significant tokens an item has that was read.
+/// The number of significant tokens of an item that was read.
 fn significant(item: &Item) -> usize {
     match item {
         Item::Record(r) => 2 + r.params as usize,

@@ -1,5 +1,5 @@
-//! Whether a text that tools have changed still has the tokens that it had. Nothing is asked of the
-//! parser here: what it takes the tokens for is another matter.
+//! Whether a text that a tool has changed still has the tokens that it had before. The tokens are compared as they are
+//! written, whatever the parser makes of them.
 
 use super::lexer::{self, Token, TokenKind};
 use super::{Document, parse};
@@ -14,7 +14,7 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
         return true;
     }
     let old_tokens = lexer::lex(old, &unclosed);
-    // A comment that nobody closes looks the same in the new text, if that is right; elsewhere.
+    // The comments that nobody closes are the same in the new text, if that is right, but at other offsets.
     let unclosed = match unclosed.as_slice() {
         [] => Vec::new(),
         _ => self::unclosed(&parse(new).0),
@@ -47,8 +47,8 @@ pub fn by_layout((old, document): (&str, &Document), new: &str) -> bool {
     new_ones.next().is_none()
 }
 
-/// Whether two texts, in which all comments are closed, differ in nothing but how much white space is where there is
-/// some: most of what is laid out anew does. `false` means nothing.
+/// Whether two texts differ only in the amount of white space where there is some, as most formatted texts do. All
+/// comments must be closed. `false` says nothing: the texts may have the same tokens all the same.
 fn are_same_words(old: &[u8], new: &[u8]) -> bool {
     let is_space = |c: &u8| matches!(c, b' ' | b'\t' | b'\n' | b'\r');
     let gap = |text: &[u8]| text.iter().take_while(|c| is_space(c)).count();
@@ -72,7 +72,7 @@ fn are_same_words(old: &[u8], new: &[u8]) -> bool {
     old.is_empty() && new.is_empty()
 }
 
-/// Whether a document takes a number with a comma for two, as in `1,9999 2 0`.
+/// Whether the document reads a number with a comma as two numbers, as in `1,9999 2 0`.
 fn is_two(token: &Token, document: &Document) -> bool {
     let tokens = &document.tokens;
     let found = tokens.binary_search_by_key(&token.start, |t| t.start);
@@ -86,8 +86,8 @@ fn is_same((old, token): (&str, &Token), (new, other): (&str, &Token)) -> bool {
     token.text(old) == other.text(new) || value.is_some() && value == bits(new, other)
 }
 
-/// Whether every token of a text that lies outside of the edits, which are in order, is a token of the
-/// text that they make. A token that an edit touches may go on with what the edit has put there.
+/// Whether every token of the old text that no edit overlaps is a token of the new text, too. The edits are in order. A
+/// token that an edit touches may have grown by the text of the edit.
 pub fn by_edits(
     (old, document): (&str, &Document),
     edits: &[Edit],
@@ -96,7 +96,7 @@ pub fn by_edits(
     let new_tokens = lexer::lex(new, &unclosed(edited));
     let mut new_ones = new_tokens.iter().peekable();
     let mut edits = edits.iter().peekable();
-    // How far what follows the last edit has moved, and the part of the new text that it put there.
+    // How many bytes the text behind the last edit has moved, and the range of the new text that this edit has written.
     let mut moved = 0;
     let mut inserted = (0, 0);
     for token in lexer::lex(old, &unclosed(document)) {
@@ -136,7 +136,7 @@ pub fn by_edits(
     true
 }
 
-/// The `#` of a text that open comments which end with their lines.
+/// The offsets of each `#` that opens a comment which nobody closes.
 fn unclosed(document: &Document) -> Vec<u32> {
     let tokens = document.tokens.iter();
     let unclosed = tokens.filter(|t| t.kind() == TokenKind::UnterminatedComment);

@@ -14,13 +14,14 @@
 //! | of which fewer than half of the numbers are in records, or nearly so: [`by_records`] says where a fifth is enough | some other text |
 //! | that is something else | a scene, with mistakes perhaps |
 //!
-//! What follows the text is no part of it: a mark with which texts of DOS end, 0x1A, and NULs that fill a block of a disk.
+//! Two things behind the text do not belong to it: the mark with which texts of DOS end, 0x1A, and NULs that fill a
+//! block of a disk.
 //!
-//! Lines do not count that are blank, that a comment takes, or that begin with `//`, `;`, `--` or `/*`,
-//! as comments in other languages do. So an empty file and one of comments are scenes, these closed or not. Because a
-//! comment that has lost its `#` turns all later ones inside out, the lines are counted twice: with
-//! comments that end with the next `#`, and with comments that end with their lines at the latest. One
-//! of the two is enough.
+//! Three kinds of lines do not count: blank ones, comments, and lines that begin with `//`, `;`, `--` or `/*`, as
+//! comments in other languages do. So an empty file is a scene, and so is a file of comments, closed or not. Because a
+//! comment that has lost its `#` turns all later ones inside out, the lines are counted twice: with comments that end
+//! with the next `#`, and with comments that end with their lines at the latest. It is enough if one of the two counts
+//! makes a scene.
 
 use file_format::{FileFormat, Kind};
 use serde::Deserialize;
@@ -36,7 +37,7 @@ use crate::diagnostics::{Code, Diagnostic, SourceFile, Span, Value};
 /// A file that is no scene, and the finding that says what it is.
 #[derive(Debug)]
 pub struct NotAScene {
-    /// The file, without a text if it is none.
+    /// The file. Its text is empty if the bytes are no text.
     pub source: SourceFile,
     pub finding: Diagnostic,
 }
@@ -72,7 +73,7 @@ pub fn read(path: impl Into<String>, bytes: Vec<u8>) -> Result<SourceFile, Box<N
     Err(Box::new(NotAScene { source, finding }))
 }
 
-/// Recognises a text and reads the records: what is in them says as well whether it is a scene.
+/// Like [`read`], but also parses the text, and refuses it if too few of its numbers are in records.
 pub fn parse(
     path: impl Into<String>,
     bytes: Vec<u8>,
@@ -91,7 +92,7 @@ pub fn is_scene(written: &str) -> bool {
     !is_binary(written, written.len()) && text(written, finding).is_none()
 }
 
-/// The word for a kind of formats in the catalogues.
+/// The word by which the message catalogues know a kind of file formats.
 fn kind(format: FileFormat) -> &'static str {
     match format.kind() {
         Kind::Image => "picture",
@@ -107,7 +108,7 @@ fn kind(format: FileFormat) -> &'static str {
     }
 }
 
-/// Whether a text has characters that no text has, given how long it is on disk.
+/// Whether a text has a NUL, or has more than 1 % other control characters. `characters` is its length in the file.
 fn is_binary(text: &str, characters: usize) -> bool {
     let is_control = |b: &u8| b.is_ascii_control() && !(b'\t'..=b'\r').contains(b);
     // Without a branch for each byte.
@@ -120,7 +121,7 @@ fn is_binary(text: &str, characters: usize) -> bool {
     text.contains('\0') || controls * 100 > characters
 }
 
-/// The finding about a text that is no scene.
+/// Completes the finding about a text that is no scene; `None` for a scene.
 fn text(text: &str, finding: Diagnostic) -> Option<Diagnostic> {
     if let Some(case) = json(text) {
         return Some(finding.case(case));
@@ -172,7 +173,7 @@ fn are_comments(text: &str) -> bool {
     text.split(BREAKS).all(is_comment)
 }
 
-/// The first line that is so.
+/// The span of the first line for which `is_so` is true.
 fn first_line(text: &str, is_so: impl Fn(&str) -> bool) -> Option<Span> {
     let mut end = 0;
     text.split_inclusive(BREAKS).find_map(|line| {
@@ -185,7 +186,7 @@ fn first_line(text: &str, is_so: impl Fn(&str) -> bool) -> Option<Span> {
 
 const BREAKS: [char; 2] = ['\n', '\r'];
 
-/// The lines that count, and those that begin with a number.
+/// How many lines count, and how many of those begin with a number.
 #[derive(Default)]
 struct Lines {
     all: usize,
@@ -202,9 +203,9 @@ impl Lines {
         2 * self.numbers >= self.all
     }
 
-    /// Whether there are records of a scene among them: the render record, or at least two lines, and a third of
-    /// those that begin with a number, which begin as those of scenes alone do. Of a page about scenes, which shows
-    /// one between fences, that may be so as well.
+    /// Whether there are records of a scene among the lines: the render record, or at least two lines that begin as
+    /// only those of scenes do, and these are a third of the lines with a number. A page about scenes may show a scene
+    /// between fences, and does not count.
     fn are_of_scene(&self, text: &str) -> bool {
         let is_fence = |line: &str| line.trim_start().starts_with("```");
         if self.numbers < 2 || text.split(BREAKS).any(is_fence) {
@@ -229,7 +230,7 @@ impl Lines {
                 (false, _) => line,
             };
             lines.count(opening(rest, hashes > 0));
-            // The last one opens nothing where none is left to close it.
+            // A `#` opens no comment if no later one is left to close it.
             is_comment = (is_comment ^ (here % 2 == 1)) && hashes > 0;
         }
         lines
@@ -251,7 +252,8 @@ fn begins_with_digits(line: &[u8]) -> bool {
     (1..20).contains(&digits) && line.get(digits) == Some(&b' ')
 }
 
-/// How a line begins, comments left out. One that is not closed on the line goes on if it may.
+/// How a line begins, comments left out. A comment that is not closed on the line is the rest of the line if `goes_on`
+/// is true, and else no comment.
 fn opening(line: &str, goes_on: bool) -> Opening {
     let mut rest = line.trim_start_matches(is_blank);
     while let Some(comment) = rest.strip_prefix('#') {
@@ -274,7 +276,7 @@ fn is_blank(c: char) -> bool {
     c.is_whitespace() || c == '\u{feff}'
 }
 
-/// Whether a text begins with a number, its sign perhaps as typesetters have it.
+/// Whether a text begins with a number. A dash may stand for the minus sign.
 fn is_number(text: &str) -> bool {
     let number = text.strip_prefix(['−', '–']).unwrap_or(text);
     if !number.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
@@ -302,7 +304,7 @@ fn is_pov_ray(line: &str) -> bool {
     BEGINNINGS.iter().any(|b| line.trim_start().starts_with(b))
 }
 
-/// The kind of JSON that a text is, if it is some.
+/// The kind of JSON that a text is, as the case of the finding: `scene-json` or `json`. `None` for any other text.
 fn json(text: &str) -> Option<&'static str> {
     /// The members of every scene in JSON.
     #[derive(Deserialize)]

@@ -1,4 +1,4 @@
-//! Lines that begin as those of scenes alone do: with an ID and a type that no table of numbers has there, or with an ID
+//! Lines that begin as only those of scenes do: with an ID and a type that no table of numbers has there, or with an ID
 //! and the name of a type in English or Czech.
 
 use rustc_hash::FxHashMap;
@@ -13,16 +13,17 @@ use super::words;
 pub(super) struct SceneLines {
     /// The lines that are not blank and not comments.
     all: usize,
-    /// Lines with the type of a render record, an operation, a property, a light or a camera, behind an ID or where one
-    /// is lost.
+    /// Lines with the type of a render record, an operation, a property, a light or a camera, behind an ID or without
+    /// one.
     pub typed: usize,
-    /// Whether a render record is among them, with its ID.
+    /// Whether a render record with ID 1 is among the `typed` lines.
     pub is_drawn: bool,
-    /// Lines of which only the minus of such a type is lost, or a digit of it wrong.
+    /// Lines that would be `typed` but for a lost minus or one wrong digit of the type.
     slipped: usize,
     /// Lines with an ID, the name of a type, and numbers.
     pub worded: usize,
-    /// How many numbers are on lines with an ID and a type: a number whose sign may be lost or a dash, or a name.
+    /// How many numbers are on lines with an ID and a type. The type may lack its minus, have a dash for it, or be a
+    /// name.
     numbers: usize,
 }
 
@@ -81,9 +82,9 @@ impl SceneLines {
         }
     }
 
-    /// How many numbers are on lines with the head of a record; `None` where no line begins as those of scenes alone do.
-    /// Types without their signs or with a wrong digit count for that where one line in five has one, and so do names of
-    /// types.
+    /// How many numbers are on lines with the head of a record; `None` if no line begins as only those of scenes do.
+    /// Types without their minus or with a wrong digit count as a beginning if one line in five has one, and so do
+    /// names of types.
     pub(super) fn headed(&self) -> Option<usize> {
         let are_many = |n: usize| n > 1 && 5 * n >= self.all;
         let are_of_scene = self.typed > 0 || are_many(self.slipped) || are_many(self.worded);
@@ -91,8 +92,8 @@ impl SceneLines {
     }
 }
 
-/// Whether a number is the type of a record of so many parameters but for a digit, and `is_first` whether its ID is 1.
-/// Hardly a table has such numbers.
+/// Whether `code` is the type of a record with `params` parameters, but for one digit. `is_first` says whether the ID
+/// is 1, which only the render record has. Hardly any table has numbers like these.
 fn is_nearly_a_type(code: i64, params: usize, is_first: bool) -> bool {
     let is_of_scenes = |ty: &&RecordType| match ty.kind {
         RecordKind::Render => is_first,
@@ -105,13 +106,13 @@ fn is_nearly_a_type(code: i64, params: usize, is_first: bool) -> bool {
             .any(|ty| strsim::osa_distance(&ty.code.to_string(), &written) == 1)
 }
 
-/// The words that are names of types. A text may have millions of others, of which not all are looked up.
+/// Remembers which words are names of types. A text may have millions of different words, and only some are looked up.
 #[derive(Default)]
 struct Names<'a> {
     known: FxHashMap<&'a str, bool>,
 }
 
-/// Most different words that are looked up.
+/// The most different words that are looked up.
 const LOOKED_UP: usize = 1000;
 
 impl<'a> Names<'a> {
@@ -120,7 +121,7 @@ impl<'a> Names<'a> {
         let (Some(id), Some(first)) = (line.next(), line.next()) else {
             return false;
         };
-        // A comma or a point between the two is a table's or a list's.
+        // A line with a comma or a point between the two is one of a table or a list.
         let is_apart = text[id.end() as usize..first.start as usize]
             .trim()
             .is_empty();

@@ -3,9 +3,9 @@
 //!
 //! # Optional groups
 //!
-//! A group is there when what follows can only be read so, wherever the line breaks are: both ways are
-//! followed for some records, up to a line that stands for itself. Where both go well, or neither, the
-//! group is there exactly when it is the rest of the record's line.
+//! The text behind a record decides whether the optional group is present. Both ways are followed for some records, up
+//! to a line that stands for itself. If only one way can be read, that way is right, wherever the line breaks are. If
+//! both ways can be read, or neither, the group is present exactly when it is the rest of the record's line.
 
 use super::lexed::Lexed;
 use super::lexer::{Token, TokenKind};
@@ -32,7 +32,7 @@ impl Columns<'_> {
         self.token(i).kind()
     }
 
-    /// The value of an integer that fits, as IDs, types and counts do.
+    /// The value of token `i`, if it is an integer that fits into `i32`, the range of IDs, types and counts.
     pub(super) fn int(&self, i: usize) -> Option<i32> {
         let value = *self.lexed.values.get(i)?;
         let int = value as i32;
@@ -43,7 +43,8 @@ impl Columns<'_> {
         self.lexed.sigs.get(i).is_some_and(|s| s.starts_line())
     }
 
-    /// A token and the next one on its line, where they are integers: at the head of a line, an ID and a type.
+    /// The values of a token and of the next one on its line, each `None` if it is no integer. At the start of a line
+    /// they are an ID and a type.
     pub(super) fn head(&self, i: usize) -> [Option<i32>; 2] {
         [
             self.int(i),
@@ -59,7 +60,7 @@ impl Columns<'_> {
         matches!(self.head(i), [Some(1), Some(code)] if is_render(code))
     }
 
-    /// Whether what stops before token `end` stops at the end of a line.
+    /// Whether the token before `end` is the last one of its line.
     pub(super) fn ends_line(&self, end: usize) -> bool {
         end == self.len() || self.starts_line(end)
     }
@@ -79,7 +80,7 @@ pub(super) struct Reading {
     pub end: usize,
     pub ty: &'static RecordType,
     pub count: u32,
-    /// Whether the optional group could be there as well as not.
+    /// Whether the text behind the record can be read both with the optional group and without it.
     pub two_ways: bool,
 }
 
@@ -101,7 +102,7 @@ pub(super) fn fits(kind: TokenKind, param: ParamKind) -> bool {
 #[inline]
 pub fn allows(param: &Param, x: f64) -> bool {
     match param.constraint {
-        // It is no number.
+        // NaN stands for a file name, which has no constraint.
         _ if x.is_nan() => true,
         Constraint::Any => !matches!(param.kind, ParamKind::Reference { .. }) || x >= 0.0,
         Constraint::Positive => x > 0.0,
@@ -128,7 +129,7 @@ pub(super) fn read(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     Some(reading)
 }
 
-/// The same without an optional group.
+/// Like [`read`], but without the optional group.
 #[inline]
 fn read_base(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     if limit < i + 2 {
@@ -162,8 +163,8 @@ fn read_base(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     })
 }
 
-/// The record that begins at token `i` where line breaks alone decide about its optional group, which is there if it
-/// is the rest of the line. `None` too if the record does not end with a line then.
+/// Like [`read`], but line breaks alone decide about the optional group: it is present if it is the rest of the line.
+/// `None` also if the record does not end with a line then.
 pub(super) fn read_by_line(c: &Columns, i: usize, limit: usize) -> Option<Reading> {
     let mut reading = read_base(c, i, limit)?;
     let optional = reading.ty.optional;
@@ -187,7 +188,8 @@ fn are_right(c: &Columns, first: usize, params: &[Param]) -> bool {
         .all(|(at, p)| fits(c.kind(at), p.kind))
 }
 
-/// Decides whether the optional group is there; `None` if the record can be read in neither way.
+/// Decides whether the optional group is present, and adds it to `reading` if so. `None` if the record can be read in
+/// neither way.
 fn group(c: &Columns, reading: &mut Reading, limit: usize) -> Option<()> {
     let (end, optional) = (reading.end, reading.ty.optional);
     let with = end + optional.len();
@@ -206,7 +208,7 @@ fn group(c: &Columns, reading: &mut Reading, limit: usize) -> Option<()> {
             reading.two_ways = true;
             own_line
         }
-        // Something else is wrong. Where there are no lines, what comes further before it is likelier.
+        // Something further on is wrong. Where there are no lines, the way that can be read further is likelier.
         (Err(there), Err(not)) if there != not && !own_line && !stands_alone(c, end, limit) => {
             there > not
         }
@@ -221,21 +223,23 @@ fn group(c: &Columns, reading: &mut Reading, limit: usize) -> Option<()> {
     Some(())
 }
 
-/// How many records are followed, in all ways to read their own groups.
+/// How many records are followed on one way; [`FOLLOWED_IN_ALL`] counts those on all ways together. The ways part where
+/// a record may have an optional group of its own.
 const FOLLOWED: usize = 8;
 const FOLLOWED_IN_ALL: usize = 40;
-/// Fewest tokens of one line that are no pieces of records laid out in any way.
+/// The fewest tokens of a line that counts as evidence. A shorter line may be a piece of a record that is broken
+/// anywhere.
 const OWN_LINE: usize = 3;
 
-/// Whether a token begins a line that is not too short.
+/// Whether a token begins a line of [`OWN_LINE`] tokens or more.
 fn stands_alone(c: &Columns, at: usize, limit: usize) -> bool {
     c.starts_line(at) && (at + 1..at + OWN_LINE).all(|next| next < limit && !c.starts_line(next))
 }
 
-/// Whether the text can be read from token `at` on, for some records; if not, the furthest place that it can be read
-/// to. `end` is where the record before may end.
+/// Tries to read some records from token `at` on. `Err` has the furthest token that was reached. The record before ends
+/// at `end` without its optional group.
 fn follow(c: &Columns, end: usize, at: usize, limit: usize) -> Result<(), usize> {
-    // Where to go on, and behind how many records.
+    // Each entry is a token to go on from, and how many records were read before it.
     let mut open = vec![(at, 0)];
     let mut furthest = at;
     for _ in 0..FOLLOWED_IN_ALL {
@@ -271,12 +275,13 @@ fn follow(c: &Columns, end: usize, at: usize, limit: usize) -> Result<(), usize>
 /// How many values of a long record are looked at to judge whether it is plausible.
 const VALUES_MAX: usize = 64;
 
-/// Whether a record that is right in form has the ID or the values of none.
+/// Whether a record that is right in form has a wrong ID or wrong values. ID 1 is wrong for all but the render record,
+/// and every other ID is wrong for the render record.
 pub(super) fn is_odd(c: &Columns, start: usize, r: &Reading) -> bool {
     (c.int(start) == Some(1)) != (r.ty.kind == RecordKind::Render) || !values_allowed(c, start, r)
 }
 
-/// Whether the values of a record are such as its type allows.
+/// Whether the type of a record allows its values; of a long record the first [`VALUES_MAX`] are checked.
 pub(super) fn values_allowed(c: &Columns, start: usize, r: &Reading) -> bool {
     (start + 2..r.end.min(start + 2 + VALUES_MAX))
         .enumerate()
@@ -285,8 +290,8 @@ pub(super) fn values_allowed(c: &Columns, start: usize, r: &Reading) -> bool {
         })
 }
 
-/// Whether a record is a head alone on its line, and the line below, of which it takes its parameters, begins with the
-/// same ID and the type of a change: so begins the next record of that object.
+/// Whether the record at token `head` has nothing but ID and type on its first line, and its next line begins with the
+/// same ID and the type of a change. The next line is then rather the next record of that object.
 pub(super) fn begins_again(columns: &Columns, head: usize, line: usize) -> bool {
     let ty = columns
         .int(line + 1)

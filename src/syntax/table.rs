@@ -7,7 +7,7 @@
 
 use std::sync::OnceLock;
 
-/// The kind of an ID's value. The resolver gives one to every entity; references ask for some of them.
+/// The kind of value that an ID stands for. The resolver gives one to every entity; a reference accepts some of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// Declared with type 0 and not defined yet.
@@ -130,7 +130,7 @@ pub enum Unit {
     Share,
 }
 
-/// The constraint on one value alone. Rules over several parameters are the resolver's.
+/// The constraint on one value alone. The resolver checks the rules over several parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Constraint {
     Any,
@@ -183,12 +183,12 @@ pub struct RecordType {
     pub repeats: &'static [&'static [Param]],
     /// Parameters that are all there or all absent.
     pub optional: &'static [Param],
-    /// How many parameters make a vector each, in order, the optional ones last; empty where they
-    /// are all of one, or repeated.
+    /// The lengths of the vectors into which the parameters are grouped, in order, the optional ones last. Empty where
+    /// all parameters are one vector, or where they are repeated.
     pub vectors: &'static [usize],
     /// The meaning of the record, in a sentence or two.
     pub summary: &'static str,
-    /// A record of this type that is right.
+    /// The text of a correct record of this type.
     pub example: &'static str,
 }
 
@@ -210,7 +210,7 @@ impl RecordType {
     /// The entry for a type number, if there is one.
     #[inline]
     pub fn by_code(code: i64) -> Option<&'static RecordType> {
-        // By code, from the least one on.
+        // The least code, and the entries by code from that one on.
         static INDEX: OnceLock<(i64, Vec<Option<&'static RecordType>>)> = OnceLock::new();
         let (least, index) = INDEX.get_or_init(|| {
             let codes = || RECORD_TYPES.iter().map(|t| i64::from(t.code));
@@ -234,7 +234,8 @@ impl RecordType {
         matches!(self.effect, Effect::DefinesOrChanges(Kind::Optics, _))
     }
 
-    /// The parameters of optics that say how much light goes through: of each three the last one.
+    /// The positions of the parameters that say how much light goes through: every third one of optics. Empty for other
+    /// types.
     pub fn transmitted(&self) -> impl Iterator<Item = usize> {
         let count = match self.kind {
             RecordKind::Optics | RecordKind::OpticsRgb => self.params.len(),
@@ -255,7 +256,7 @@ impl RecordType {
         (self.params.len() as u64).saturating_add(per.saturating_mul(count))
     }
 
-    /// The value of the count parameter of a record with so many parameters; 0 where there is none.
+    /// The value of the count parameter of a record with `params` parameters; 0 for a type without a count.
     pub fn count(&self, params: usize) -> usize {
         let per: usize = self.repeats.iter().map(|g| g.len()).sum();
         params
@@ -281,8 +282,8 @@ impl RecordType {
         self.optional.get(i)
     }
 
-    /// The position of the first red part among the parameters of a record with the given count; the rest of
-    /// the parameters are colours from there on.
+    /// The position of the first red part among the parameters of a record with the given count. All parameters from
+    /// there on are colours. `None` for a type without colours.
     pub fn first_colour(&self, count: usize) -> Option<usize> {
         let is_red = |p: &Param| p.name == RGB[0].name && p.doc == RGB[0].doc;
         if let Some(i) = self.params.iter().position(is_red) {
@@ -438,7 +439,7 @@ macro_rules! point {
     };
 }
 
-/// Joins arrays of three parameters in a constant.
+/// Joins `G` arrays of three parameters each into one array of `N`, for a constant.
 const fn join<const G: usize, const N: usize>(groups: [[Param; 3]; G]) -> [Param; N] {
     assert!(G * 3 == N);
     let mut out = [groups[0][0]; N];
@@ -552,7 +553,7 @@ const fn shape(
     example: &'static str,
 ) -> RecordType {
     RecordType {
-        // The table gives it its own.
+        // The macro `record_types` replaces this kind by the entry's own.
         kind: RecordKind::Undefined,
         code,
         keyword,
@@ -578,7 +579,7 @@ const fn record(
     example: &'static str,
 ) -> RecordType {
     RecordType {
-        // The table gives it its own.
+        // The macro `record_types` replaces this kind by the entry's own.
         kind: RecordKind::Undefined,
         code,
         keyword,
@@ -597,7 +598,7 @@ const fn record(
 const PROPERTY: Effect = Effect::DefinesOrChanges(Kind::Optics, &[Kind::Optics, Kind::Object]);
 const TEXTURE: Effect = Effect::DefinesOrChanges(Kind::Texture, &[Kind::Texture, Kind::Object]);
 
-/// Makes of the table the kinds of records, one for each entry, and the entries with their kinds.
+/// Makes from the table one kind of record for each entry, and the list of the entries with their kinds.
 macro_rules! record_types {
     (
         void { $void:ident: $void_entry:expr, }

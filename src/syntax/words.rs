@@ -7,7 +7,8 @@ use rustc_hash::FxHashSet;
 use super::table::{Family, RECORD_TYPES, RecordType};
 use crate::diagnostics::Language;
 
-/// Other names, without accents and in lower case, and the types they may stand for, the likeliest first.
+/// Names besides keywords and titles, without accents and in lower case, each with the types that it may stand for, the
+/// likeliest first.
 const NAMES: &[(&str, &[i32])] = &[
     ("sphere", &[11, 9, 13]),
     ("ball", &[11, 9]),
@@ -126,7 +127,8 @@ const NAMES: &[(&str, &[i32])] = &[
     ("scena", &[9999]),
 ];
 
-/// Other words that lead to types: what they are for, and the names of the course's handout.
+/// Words that are no names of types but lead to some: what the types are used for, and the terms of the course's
+/// handout.
 const TOPICS: &[(&str, &[i32])] = &[
     ("glass", &[-201, -203]),
     ("sklo", &[-201, -203]),
@@ -244,7 +246,7 @@ const TOPICS: &[(&str, &[i32])] = &[
     ("renderovanascena", &[9999]),
 ];
 
-/// Shorter words are no misspelling of a name.
+/// The fewest letters of a word that may be a misspelled name.
 const MISSPELLED_LEAST: usize = 5;
 
 /// The types that a word may stand for, the likeliest first; one letter of it may be wrong.
@@ -260,7 +262,7 @@ pub fn types(word: &str) -> Vec<&'static RecordType> {
     NAMES.iter().find(near).map_or(Vec::new(), |n| of(n.1))
 }
 
-/// The shapes that go by a word, a plural or a form of a Czech name, too.
+/// The shapes that a word names. The word may be a plural, or another form of a Czech name.
 pub fn shapes(word: &str) -> Vec<&'static RecordType> {
     let word = plain(word);
     let named = |name: &str| {
@@ -272,7 +274,7 @@ pub fn shapes(word: &str) -> Vec<&'static RecordType> {
     let stems = FORMS.iter().filter_map(|form| word.strip_suffix(form));
     stems
         .flat_map(|stem| {
-            // As `válce` of `válec`.
+            // Some forms lose a vowel, as `válce` from `válec`.
             let vowel = stem.strip_suffix('c').map(|stem| format!("{stem}ec"));
             let whole = NOMINATIVES.map(|end| format!("{stem}{end}"));
             whole.into_iter().chain(vowel)
@@ -295,7 +297,7 @@ pub fn explained(word: &str) -> String {
     if is_one { word } else { "none" }.to_owned()
 }
 
-/// Whether a word is the name of a type, or the first of several, without a mistake.
+/// Whether a word is the name of a type, or the first word of one, without a mistake.
 pub fn is_name(word: &str) -> bool {
     static ALL: LazyLock<FxHashSet<String>> = LazyLock::new(|| {
         let names = NAMES.iter().map(|n| n.0.to_owned());
@@ -309,12 +311,12 @@ pub fn is_name(word: &str) -> bool {
     ALL.contains(&plain(word))
 }
 
-/// Whether a word is a cylinder, which is no type: a surface of revolution is one.
+/// Whether a word means a cylinder. No type has that name: a cylinder is a surface of revolution.
 pub fn is_cylinder(word: &str) -> bool {
     matches!(plain(word).as_str(), "cylinder" | "valec")
 }
 
-/// Whether a word is a cone.
+/// Whether a word means a cone.
 pub fn is_cone(word: &str) -> bool {
     matches!(plain(word).as_str(), "cone" | "kuzel")
 }
@@ -368,7 +370,7 @@ pub fn names(ty: &RecordType) -> Vec<String> {
 /// The endings of Czech adjectives.
 const ENDINGS: [char; 4] = ['ý', 'á', 'é', 'í'];
 
-/// A Czech adjective with its other endings; nothing of a word that is none.
+/// A Czech adjective with each of the four endings, its own included; empty for any other word.
 pub fn other_endings(word: &str) -> impl Iterator<Item = String> {
     let stem = word.strip_suffix(ENDINGS);
     let forms = stem.map(|stem| ENDINGS.map(|ending| format!("{stem}{ending}")));
@@ -384,13 +386,13 @@ pub const HOLE: [&str; 14] = [
 /// Beginnings of words for a floor, without accents.
 pub const FLOOR: [&str; 4] = ["floor", "ground", "podlah", "zem"];
 
-/// Whether a text has a word that begins so, accents left out.
+/// Whether a word of the text begins with one of `beginnings`, accents left out.
 pub fn has(text: &str, beginnings: &[&str]) -> bool {
     let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);
     words.any(|word| beginnings.iter().any(|b| word.starts_with(b)))
 }
 
-/// Lower case, without accents, and without what joins words.
+/// A word in lower case, without accents, and without spaces, hyphens, points, colons and quotation marks.
 pub fn plain(word: &str) -> String {
     let letters = word.chars().flat_map(char::to_lowercase);
     letters

@@ -11,7 +11,7 @@ use super::super::table::{RecordKind, RecordType};
 use super::super::words;
 use super::prices::{GARBAGE_LINE, HIDDEN, INSIDE_OUT, UNCLOSED};
 
-/// Most records of a comment that have a price.
+/// The most hidden records of one comment that have a price.
 const HIDDEN_MAX: usize = 2;
 
 /// States: 0 is code, 1 + h a comment that has hidden h records so far.
@@ -26,7 +26,7 @@ struct BackPointer {
     unclosed: u32,
 }
 
-/// The offsets of the `#` to be given up, ascending.
+/// Finds each `#` that is given up: its comment is taken to end with its line. Returns the offsets, ascending.
 pub(crate) fn unclosed(text: &str) -> Vec<u32> {
     let mut cost = [NEVER; STATES];
     cost[0] = 0;
@@ -52,7 +52,8 @@ pub(crate) fn unclosed(text: &str) -> Vec<u32> {
                 offer(0, cost[0], 0, Some(sign));
             }
             offer(reading.end_state, price, state, None);
-            // Given up: the comment that is open at the line's end, or the first one that opens.
+            // Either of two comments may be given up: the one that is open at the line's end, or the first one on the
+            // line.
             if reading.end_state != 0 && (state == 0 || hashes > 0) {
                 offer(0, price.saturating_add(UNCLOSED), state, line.rfind('#'));
             }
@@ -80,7 +81,7 @@ pub(crate) fn unclosed(text: &str) -> Vec<u32> {
     out
 }
 
-/// Whether a `#` somewhere may be part of a colour and no comment's.
+/// Whether some `#` may begin a colour and no comment.
 pub(crate) fn has_colour(text: &str) -> bool {
     memchr::memchr_iter(b'#', text.as_bytes()).any(|at| {
         let line = text[..at].rfind(['\n', '\r']).map_or(0, |end| end + 1);
@@ -105,7 +106,7 @@ fn begins_colour(text: &str) -> bool {
     id.parse::<u32>().is_ok() && ty.is_some_and(|ty| ty.kind == RecordKind::Colour)
 }
 
-/// A line read from one state with its `#` in plain alternation.
+/// The reading of a line from one state on, in which each `#` in turn opens or closes a comment.
 struct Reading {
     price: u32,
     end_state: usize,
@@ -140,9 +141,10 @@ impl Reading {
     }
 }
 
-/// The price of a stretch of code: whether there is a word in it that is no number.
+/// The price of a part of a line as code: 0 if it begins a record or if all of its words begin like numbers, else
+/// [`GARBAGE_LINE`].
 fn garbage(part: &str) -> u32 {
-    // File names are words.
+    // Words that begin like numbers may be code.
     let is_code = |w: &str| {
         let unsigned = w.trim_start_matches(['+', '-', '.']);
         unsigned.starts_with(|c: char| c.is_ascii_digit())

@@ -1,4 +1,4 @@
-//! References that lead nowhere, as a witness for how a text is to be read.
+//! The number of errors in a reading, undefined references included. Recovery compares readings by this number.
 
 use rustc_hash::FxHashSet;
 
@@ -16,8 +16,8 @@ pub(super) fn of_record(stretch: &Stretch, start: usize, end: usize) -> impl Ite
         .filter_map(|(i, _)| stretch.sigs[i].int.filter(|&id| id > 0))
 }
 
-/// How many errors a reading of a stretch amounts to: its faults, the IDs that are defined
-/// twice, and those that are used and defined nowhere; each record that lost its ID accounts for one of these.
+/// The number of errors in a reading of a stretch: its faults, the IDs that are defined twice, and the IDs that are
+/// used and defined nowhere. Each record that lost its ID accounts for one of the undefined IDs.
 pub(super) fn damage(
     stretch: &Stretch,
     around: &Surroundings,

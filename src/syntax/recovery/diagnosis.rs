@@ -35,7 +35,7 @@ pub(crate) enum Diagnosis {
         got: usize,
         expected: usize,
     },
-    /// A record that is right but for a token too many, in front of it or behind its first one.
+    /// A record that is right but for a token too many, which stands before its ID or between its ID and its type.
     Surplus {
         ty: &'static RecordType,
         expected: usize,
@@ -43,7 +43,7 @@ pub(crate) enum Diagnosis {
         at: usize,
         id: u32,
     },
-    /// A record of another type but for the sign of its type.
+    /// A record that lacks the sign of its type: it reads as type `ty`, and would be right with the type `meant`.
     LostSign {
         ty: &'static RecordType,
         meant: &'static RecordType,
@@ -70,7 +70,7 @@ pub(crate) enum Diagnosis {
     BadId {
         ty: Option<&'static RecordType>,
     },
-    /// The record was cut off by a comment that nobody closed, which is error enough.
+    /// A record that was cut off by a comment which nobody closed. That comment is reported already.
     CutOff {
         ty: Option<&'static RecordType>,
     },

@@ -85,8 +85,8 @@ fn likeliest(
             _ => with_id,
         };
     }
-    // A number that can be no ID may stand in front of an operation or a property that is right, or of what defines the
-    // ID that is missing.
+    // A number that can be no ID may stand in front of a correct operation or property, or of a record that defines a
+    // missing ID.
     let line = stretch.line(start);
     let is_meant = |ty: &RecordType| {
         ty.code <= LEAST_HEAD || matches!(ty.effect, Effect::Defines(_)) && known.misses_next(line)
@@ -103,17 +103,17 @@ fn likeliest(
     } else {
         0
     };
-    // One that is spelled as a real is an ID all the same: what else is wrong with the record is said, and
-    // what refers to it, refers to it.
+    // An ID that is spelled as a real is an ID all the same: other mistakes in its record are reported, and references
+    // to it are right.
     let spelled = integral(stretch, start).is_some_and(|id| id > 0);
     let of_record = with_id.0;
     let (verdict, price) = match with_id {
         (Diagnosis::Damaged { ty }, _) => {
             // A mere sign or word is likelier to stand in front of the ID than in its place.
             let extra = matches!(id.kind, TokenKind::Word | TokenKind::Invalid);
-            // Nor is a number too many likely to be an undefined object's.
+            // An undefined object hardly has a number too many.
             let extra = extra || ty.kind == RecordKind::Undefined;
-            // Nor is a number that reads like the type of an operation or a property a coordinate.
+            // A number that reads like the type of an operation or a property is hardly a coordinate.
             let head = stretch.record_type(start + 2);
             let extra = extra || head.is_some_and(|t| t.code <= LEAST_HEAD);
             let price = FAULT + bad_price(stretch, start + 2, end) + if extra { 50 } else { 0 };
@@ -140,7 +140,7 @@ fn likeliest(
     }
 }
 
-/// The number that two tokens are without the space between them.
+/// The number that tokens `at` and `at + 1` make without the space between them; `None` if they are not digits.
 pub(super) fn joined(stretch: &Stretch, at: usize) -> Option<i32> {
     if at + 1 >= stretch.len() {
         return None;
@@ -151,14 +151,14 @@ pub(super) fn joined(stretch: &Stretch, at: usize) -> Option<i32> {
     right.then(|| format!("{one}{two}").parse().ok())?
 }
 
-/// Whether the surplus of a record is the space in its ID.
+/// Whether a record has a token too many because a space cuts its ID in two.
 fn is_split(stretch: &Stretch, start: usize, verdict: Diagnosis) -> bool {
     matches!(verdict, Diagnosis::Surplus { id, .. } if joined(stretch, start) == i32::try_from(id).ok())
 }
 
-/// A whole line that is a record but for a token too many in front of it or behind its ID, or for a space in its ID.
-/// Something else must speak for the ID: a definition is needed, and what is changed is there.
-/// `as_typed` is what it costs to take the second token for the type.
+/// Finds a whole line that is a record but for a token too many in front of it or behind its ID, or for a space in its
+/// ID. Other lines must speak for the ID: a new ID is needed there, and a changed ID is defined there. `as_typed` is
+/// the price of taking the second token for the type.
 fn surplus(
     stretch: &Stretch,
     (start, end): (usize, usize),
@@ -208,7 +208,7 @@ fn surplus(
     let is_next = |id: i32| no_type && is_in_order(id);
     let has_id = || lost_id(stretch, start, end).is_none();
     let is_next_in_front = |id| is_next(id) && (own == id || !is_next(own));
-    // What is changed is there; but a record that lost its ID or a number may begin with the same.
+    // A changed ID is defined elsewhere; but a record that lost its ID or a number may begin with the same number.
     let is_changed = |id: i32| speaks(id) && has_id() && !known.is_in_order(line, own);
     let in_front = in_front.filter(|&id| {
         if is_new {
@@ -217,7 +217,7 @@ fn surplus(
             is_changed(id)
         }
     });
-    // What is no type at all is likelier to be a mistyped one, unless it is the ID once more.
+    // A token that is no type at all is likelier a mistyped type, unless it is the ID once more.
     let doubled = stretch.sigs[start + 1].int == Some(own);
     let behind = if doubled {
         speaks(own) || is_in_order(own)
@@ -241,8 +241,8 @@ fn surplus(
     Some((verdict, FAULT - 20))
 }
 
-/// A whole line that would be right if its type had a minus sign: a rotation `ID 2 30 1`, which reads as the head
-/// of a surface of revolution with 30 points. Where the type as it stands might have lost a number as well, the ID
+/// Finds a whole line that would be right if its type had a minus sign: a rotation `ID 2 30 1`, which reads as the head
+/// of a surface of revolution with 30 points. If a record of the type as it stands might lack numbers instead, the ID
 /// must be one that can be changed.
 fn sign_of_known_type(
     stretch: &Stretch,
@@ -286,8 +286,8 @@ fn sign_of_known_type(
     })
 }
 
-/// Whether a line begins with the next number after that which the line before begins with. Where that line changes
-/// something, it must be what is defined last.
+/// Whether a line begins with the number after the first number of the line before. If the line before is a change, the
+/// number must be in order as well.
 fn follows(stretch: &Stretch, start: usize, known: &impl IdContext) -> bool {
     let line = stretch.line(start);
     if line == 0 || !stretch.starts_line(start) {
@@ -302,8 +302,8 @@ fn follows(stretch: &Stretch, start: usize, known: &impl IdContext) -> bool {
     before.checked_add(1) == Some(id) && (!changes || known.is_in_order(line, id))
 }
 
-/// Whether a line begins with a number between those that the lines before and behind begin with. The render
-/// record is behind all.
+/// Whether the first number of a line is between those of the lines before and behind. The ID 1 of a render record
+/// counts as the highest.
 fn is_between(stretch: &Stretch, start: usize) -> bool {
     let line = stretch.line(start);
     let first = |line: usize| stretch.sigs[stretch.line_start(line)].int;
@@ -313,8 +313,8 @@ fn is_between(stretch: &Stretch, start: usize) -> bool {
     rises && next.is_none_or(|next| next == Some(1) || next > id)
 }
 
-/// The price of the bad tokens among `from..to`: the same in every reading, lest one that swallows them
-/// is the cheaper for it.
+/// The price of the bad tokens among `from..to`. It is the same in every reading, so that no reading is cheaper because
+/// it swallows them.
 pub(super) fn bad_price(stretch: &Stretch, from: usize, to: usize) -> u32 {
     FAULT * stretch.bad(from, to).min(BAD_MAX)
 }
@@ -322,7 +322,7 @@ pub(super) fn bad_price(stretch: &Stretch, from: usize, to: usize) -> u32 {
 /// How many bad tokens of one piece are counted at most.
 pub(super) const BAD_MAX: u32 = 1_000_000;
 
-/// The type of the record that a whole line is, if all that is wrong are integers spelled as reals.
+/// The type of a whole line that is a record but for integers spelled as reals; `None` for any other line.
 fn all_but_reals(stretch: &Stretch, start: usize, end: usize) -> Option<&'static RecordType> {
     let whole = |i: usize| integral(stretch, i).is_some();
     let line = start + 1 < end && stretch.starts_line(start) && stretch.ends_line(end);
@@ -420,7 +420,7 @@ fn untyped(stretch: &Stretch, start: usize, end: usize) -> (Diagnosis, u32) {
         };
     };
     let length = 10 * (end - start).min(20) as u32;
-    // Over several lines only what is as long as such records are.
+    // A piece over several lines must be as long as a record that is laid out so.
     let over_lines = stretch.line(end - 1) > stretch.line(start);
     // A word on the next line is no type.
     let is_text = t.kind == TokenKind::Word && stretch.line(start + 1) > stretch.line(start);
@@ -435,7 +435,7 @@ fn untyped(stretch: &Stretch, start: usize, end: usize) -> (Diagnosis, u32) {
     }
 }
 
-/// The parameters `first..end` of a record whose type is known.
+/// Judges the parameters `first..end` of a record whose type is known.
 fn judge_params(
     stretch: &Stretch,
     ty: &'static RecordType,
@@ -480,8 +480,8 @@ fn judge_params(
             if ty.optional.is_empty() {
                 return (Diagnosis::Damaged { ty }, NOTHING_WRONG);
             }
-            // Nothing is wrong with it but where its line ends: its optional parameters are not the
-            // last of the line, or they are just those that follow.
+            // Only the end of the line is wrong: the optional parameters are not the last numbers of the line, or the
+            // numbers that follow are the optional parameters.
             let (got, other) = (end - first, if expected == base { full } else { base });
             let expected = usize::try_from(other).unwrap_or(usize::MAX);
             return (Diagnosis::WrongArity { ty, got, expected }, 2 * FAULT);
@@ -508,7 +508,7 @@ fn judge_params(
     )
 }
 
-/// The token that is the file name of a record that has one: a word, and no bad one.
+/// The token that is the file name of a record whose type has one. It is a word, but no bad token.
 pub(super) fn file_name(
     stretch: &Stretch,
     ty: &RecordType,
@@ -544,7 +544,7 @@ fn lost_id(stretch: &Stretch, start: usize, end: usize) -> Option<(Diagnosis, u3
     let ty = stretch
         .record_type(start)
         .filter(|t| t.kind != RecordKind::Undefined)?;
-    // A negative number can be nothing but a type; others are one only for a whole line.
+    // A negative number can only be a type. A positive number is taken for one only at the head of a whole line.
     let whole_line = stretch.starts_line(start) && stretch.ends_line(end);
     if ty.code > 0 && !whole_line {
         return None;

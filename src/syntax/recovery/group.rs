@@ -1,4 +1,4 @@
-//! Optional groups that are lines of their own. Such a line may be a broken record, which nothing but the IDs shows.
+//! Optional groups that are lines of their own. The line of a group may be a broken record, and only the IDs show that.
 
 use std::ops::Range;
 
@@ -8,11 +8,11 @@ use super::super::table::{ParamKind, RecordKind};
 use super::has_lost_id;
 use super::surroundings::Surroundings;
 
-/// The only item whose optional group is likelier a broken record, and the significant tokens of the group. Where that
-/// holds for several, something else is wrong.
+/// Finds the item whose optional group is likelier a broken record. Returns its index, and the significant tokens of
+/// the group. `None` if there are several of these items, since something else is wrong then.
 ///
-/// Such a group begins as the render record does, or with an ID that is in order there, used and defined nowhere, or it
-/// is a record that lost such an ID.
+/// The group then begins like the render record, or with an ID in order that is used and defined nowhere. Or the group
+/// is a record that has lost an ID like that.
 pub(crate) fn doubtful_group(columns: &Columns, items: &[Item]) -> Option<(usize, Range<usize>)> {
     let lines = || {
         (0..)

@@ -12,7 +12,7 @@ pub(super) fn type_at(stretch: &Stretch, i: usize) -> Option<&'static RecordType
         .or_else(|| RecordType::by_code(integral(stretch, i).or_else(|| spoiled(stretch, i))?))
 }
 
-/// The integer in a token with one sign or letter glued to it. An `e` is half an exponent.
+/// The integer in a token with one sign or letter glued to it. An `e` does not count, since it may be half an exponent.
 pub(super) fn spoiled(stretch: &Stretch, i: usize) -> Option<i64> {
     let word = |k| matches!(k, TokenKind::MalformedNumber | TokenKind::Word);
     stretch.sigs.get(i).filter(|s| word(s.kind))?;
@@ -39,8 +39,8 @@ pub(super) fn with_letters(stretch: &Stretch, i: usize) -> Option<i64> {
     digits.filter(|_| has_digit)?.parse().ok()
 }
 
-/// The digits of a number in the place of an ID that would be 1 without its point, which only the render record has:
-/// `1.0` is rather 10.
+/// The ID that a number such as `1.0` may mean: 10, its digits without the point. Its value is 1, which only the render
+/// record may have as its ID. `None` for other values, and before the type of a render record.
 pub(super) fn without_point(stretch: &Stretch, i: usize) -> Option<u32> {
     let is_render = type_at(stretch, i + 1).is_some_and(|ty| ty.kind == RecordKind::Render);
     integral(stretch, i).filter(|&id| id == 1 && !is_render)?;
@@ -67,7 +67,7 @@ pub(super) fn integral(stretch: &Stretch, i: usize) -> Option<i64> {
     (x.fract() == 0.0 && x.abs() < 1e9).then_some(x as i64)
 }
 
-/// The number of points of the counted record whose parameters begin at `i`: `Err` where it cannot be used.
+/// The number of points of the counted record whose parameters begin at `i`; `Err` if it is missing or less than 2.
 pub(super) fn point_count(stretch: &Stretch, i: usize) -> Result<u64, ()> {
     let s = stretch.sigs.get(i).ok_or(())?;
     let n = s.int.map(i64::from).or_else(|| integral(stretch, i));
@@ -82,7 +82,8 @@ pub(super) fn is_counted(stretch: &Stretch, i: usize) -> bool {
     type_at(stretch, i + 1).is_some_and(RecordType::is_counted)
 }
 
-/// The end that a record should have whose parameters begin at `first`; `None` where nobody can tell.
+/// The end that a record of type `ty` should have if its parameters begin at `first`; `None` if its number of points
+/// cannot be used.
 pub(super) fn end_of(stretch: &Stretch, first: usize, ty: &RecordType) -> Option<u64> {
     let n = match ty.is_counted() {
         true => point_count(stretch, first).ok()?,
@@ -91,14 +92,15 @@ pub(super) fn end_of(stretch: &Stretch, first: usize, ty: &RecordType) -> Option
     Some((first as u64).saturating_add(ty.arity(n)))
 }
 
-/// The end that the record that begins at `i` with an ID should have, perhaps behind the end of the text.
+/// The end that a record with its ID at token `i` should have, perhaps behind the end of the text. `None` if its type
+/// or its number of points cannot be used.
 pub(super) fn expected_end(stretch: &Stretch, i: usize) -> Option<usize> {
     let end = end_of(stretch, i + 2, type_at(stretch, i + 1)?)?;
     Some(usize::try_from(end).unwrap_or(usize::MAX))
 }
 
-/// The ends that the record that begins at `i` may have, by all ways to understand its head; never behind the end of
-/// the text.
+/// The ends that a record may have that begins at token `i`, for all ways to understand its head. No end is behind the
+/// end of the text.
 pub(super) fn expected_ends(stretch: &Stretch, i: usize) -> Vec<usize> {
     let mut out = Vec::new();
     let mut add = |first: usize, ty: Option<&'static RecordType>| {
@@ -113,7 +115,7 @@ pub(super) fn expected_ends(stretch: &Stretch, i: usize) -> Vec<usize> {
         add(i + 3, Some(ty));
     }
     if type_at(stretch, i + 1).is_none() {
-        // Of an unknown type all that is known is how long records over several lines are.
+        // The type is unknown. So the record may be as long as any of those that are often laid out over several lines.
         for params in [9, 10, 12, 16, 18] {
             out.push((i + 2 + params).min(stretch.len()));
         }

@@ -1,4 +1,4 @@
-//! The text around a piece that is no record, as far as IDs are concerned.
+//! The IDs that the text around a piece uses and defines, where the piece is no record.
 
 use super::stretch::Stretch;
 
@@ -10,7 +10,7 @@ pub(super) trait IdContext {
     fn is_defined(&self, id: i32) -> bool;
     /// Whether an ID is defined before a line.
     fn is_defined_before(&self, stretch: &Stretch, line: usize, id: i32) -> bool;
-    /// Whether an ID at the head of a line is in the order of the IDs around.
+    /// Whether an ID at the head of a line would be between the IDs before and behind the line.
     fn is_in_order(&self, line: usize, id: i32) -> bool;
     /// Whether an ID that would be in order at the head of a line is used elsewhere and defined by no line of its own.
     fn misses_next(&self, line: usize) -> bool;

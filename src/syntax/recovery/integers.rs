@@ -1,4 +1,4 @@
-//! Numbers that are no integers where one is needed.
+//! Findings about numbers that are no integers where one is needed.
 
 use super::super::quote::quote;
 use super::super::table::{Param, ParamKind};
@@ -24,7 +24,8 @@ impl Reporter<'_, '_> {
         }
     }
 
-    /// The same of what begins a record. Without its point it may be one's ID.
+    /// Like [`not_an_integer`](Self::not_an_integer), for a number in the place of an ID. Without its decimal point the
+    /// number may be the ID.
     pub(super) fn no_integer_for_id(&self, i: usize) -> Diagnostic {
         let d = self.not_an_integer(i, "an ID");
         let Some(id) = without_point(self.stretch, i) else {
@@ -40,7 +41,7 @@ impl Reporter<'_, '_> {
             .fix(write(Applicability::Unsafe, span, id))
     }
 
-    /// The same of a parameter, which may be an ID.
+    /// Like [`not_an_integer`](Self::not_an_integer), for a parameter, which may be a reference.
     pub(super) fn no_integer_for(&self, i: usize, param: &Param) -> Diagnostic {
         let d = self.not_an_integer(i, param.doc);
         match param.kind {

@@ -17,16 +17,17 @@ use super::stretch::Stretch;
 use super::sums::Sums;
 use super::witness::Witnesses;
 
-/// Most lines of a broken stretch that are asked whether they begin as records do.
+/// The most lines of a broken piece that are checked for beginning like records.
 const HEADS: usize = 12;
 /// How many own lines are counted at most, so that prices do not overflow.
 const OWN_LINES_MAX: u32 = 1_000_000;
-/// Prices are added up above this many bits, which count what tells equal readings apart.
+/// The lowest bits of a sum of prices, this many, hold a hint that decides between readings of the same price.
 const HINT_BITS: u32 = 24;
-/// No record without a count has more tokens.
+/// The most tokens that a record without a count has.
 const LONGEST_FIXED: usize = 20;
 
-/// The reading with the least damage. `strict` are the pieces of the reading without faults, if there is one.
+/// Returns the pieces of the cheapest reading. `strict` is the reading by arity, if it has no faults. `doubt_takeovers`
+/// makes it dearer for a record to take numbers from a line that looks like a record of its own.
 pub(super) fn cut(
     stretch: &Stretch,
     witnesses: &Witnesses,
@@ -70,7 +71,8 @@ impl Search<'_, '_> {
             ends.clear();
             let exact = self.stretch.read(i);
             let mut offer = |end: usize, p: u32| {
-                // In the low bits, to choose among equals: pieces that do not begin with a line.
+                // The low bits choose among readings of the same price: a piece that does not begin with a line counts
+                // there.
                 let hint = u64::from(!self.stretch.starts_line(i));
                 let total = price[i] + (u64::from(p) << HINT_BITS) + hint;
                 if total < price[end] {
@@ -107,8 +109,9 @@ impl Search<'_, '_> {
         pieces
     }
 
-    /// Whether a reading without faults costs less than any fault. Every other reading has a fault in it: a
-    /// piece that begins with a `0` is a VOID and any other a record, and these end where they end.
+    /// Whether a reading without faults costs less than any fault, so that no other reading need be tried. Every other
+    /// reading has a fault: without faults a piece that begins with a `0` is a VOID, any other piece is a record, and
+    /// their ends are given.
     fn is_cheap(&self, strict: &[RecordCandidate]) -> bool {
         let mut total = 0;
         strict.iter().all(|piece| {
@@ -120,7 +123,7 @@ impl Search<'_, '_> {
         })
     }
 
-    /// The verdict behind a step of the cheapest way.
+    /// The diagnosis of tokens `start..end`, which are a piece of the cheapest reading.
     fn verdict(&self, start: usize, end: usize) -> Diagnosis {
         let fault = self.fault(start, end);
         if end == start + 1
@@ -197,16 +200,17 @@ impl Search<'_, '_> {
                 (false, false) if !stretch.ends_line(r.end) => 200,
                 (false, false) => 0,
             };
-            // Complete records among its lines.
+            // Complete records among the lines of this one make it dearer.
             let swallowed = self.sums.complete_before[last] - self.sums.complete_before[first + 1];
             let sure = self.sums.sure_before[last] - self.sums.sure_before[first + 1];
             price += 400 * swallowed.min(8) + OWN_LINE * sure.min(OWN_LINES_MAX);
         }
-        // What the resolver would object to counts too, but never as much as a fault of form.
+        // Objections that the resolver would have count too, but never as much as a fault of form.
         price + self.objections(start, r)
     }
 
-    /// Whether a record that ends with a line may well have taken its numbers: nothing is sure about that line.
+    /// Whether a record that ends with line `line` may rightly take its numbers: nothing says for sure that the line is
+    /// a record of its own.
     fn is_doubtful(&self, end: usize, line: usize) -> bool {
         end == self.stretch.line_end(line)
             && !self.sums.is_sure(line)
@@ -286,7 +290,7 @@ impl Search<'_, '_> {
             if !(stretch.starts_line(start) && stretch.ends_line(end)) {
                 price += 300;
             }
-            // Lines that say they are records of their own.
+            // Lines that look like records of their own make the piece dearer.
             let mut own = self.sums.own_before[last + 1] - self.sums.own_before[first + 1];
             own += u32::from(
                 stretch.starts_line(start) && self.witnesses.is_complete_line(stretch, first),
@@ -297,7 +301,8 @@ impl Search<'_, '_> {
         (verdict, price)
     }
 
-    /// How many lines of a broken stretch begin as records do, behind as many numbers as its first line needs.
+    /// How many lines of a broken piece begin like records, although all numbers that its head asks for stand before
+    /// them.
     fn heads_behind(&self, start: usize, end: usize) -> u32 {
         let stretch = self.stretch;
         let (first, last) = (stretch.line(start), stretch.line(end - 1));
@@ -311,21 +316,21 @@ impl Search<'_, '_> {
         (first + 1..=last).take(HEADS).filter(is_head).count() as u32
     }
 
-    /// Adds the ends that a broken stretch may have that begins at `i`.
+    /// Adds the possible ends of a broken piece that begins at token `i` to `ends`.
     fn fault_ends(&self, i: usize, ends: &mut Vec<usize>) {
         let stretch = self.stretch;
         let line = stretch.line(i);
         let line_end = stretch.line_end(line);
         ends.push(line_end);
         let expected = heads::expected_ends(stretch, i);
-        // Where another record could begin.
+        // The piece may end where another record could begin.
         let reach = expected.iter().copied().max().unwrap_or(i + 2) + 6;
         for end in i + 1..reach.min(i + 40).min(stretch.len()) {
             if end != line_end && stretch.read(end).is_some() {
                 ends.push(end);
             }
         }
-        // At the end of a later line, if the record was laid out over several.
+        // The piece may end with a later line, if the record was laid out over several.
         let on_line = line_end - i;
         for &e in &expected {
             if e <= line_end + 3 || 2 * on_line > (e - i) + 4 {
@@ -338,7 +343,7 @@ impl Search<'_, '_> {
                 }
             }
         }
-        // What is left of a short record may stand on the next line.
+        // The rest of a short record may stand on the next line.
         if line + 1 < stretch.line_count() && !self.sums.is_own(line + 1) {
             let next = stretch.line_end(line + 1);
             let near = |&e: &usize| e.abs_diff(next) <= 1;

@@ -18,14 +18,15 @@
 //!                      report              the pieces that are no records, in words
 //! ```
 //!
-//! A missing, lost or surplus number is decided on in `judge_params` in [`faults`], which says what is wrong with a piece
-//! and what that costs (`Diagnosis::WrongArity`), and in [`layout`], which chooses the pieces; where line breaks say
-//! nothing, in `wrong_arity` in `free/mistakes.rs`. Whether a short record goes on in the next line is decided earlier, by
-//! `Plan::agrees` in the parser, then by `sums::may_begin` and the prices of [`layout`]. A line that may be the optional group of the record before
-//! it or a broken record is found in [`group`] and decided on in [`layout`]. The message is made in [`report`].
+//! A missing, lost or surplus number is decided on in `judge_params` in [`faults`], which says what is wrong with a
+//! piece and what that costs (`Diagnosis::WrongArity`), and in [`layout`], which chooses the pieces; where line breaks
+//! say nothing, in `wrong_arity` in `free/mistakes.rs`. Whether a short record goes on in the next line is decided
+//! earlier, by `Plan::agrees` in the parser, then by `sums::may_begin` and the prices of [`layout`]. A line that may be
+//! a broken record, or else the optional group of the record before it, is found in [`group`] and decided on in
+//! [`layout`]. The message is made in [`report`].
 //!
-//! Before there are stretches, two things are looked at that concern tokens: which `#` closes which
-//! ([`comments`]), and which words are several numbers ([`respell`]).
+//! Two questions about tokens come before there are stretches: which `#` closes which ([`comments`]), and which words
+//! are several numbers ([`respell`]).
 
 pub(super) mod comments;
 mod damage;
@@ -64,11 +65,11 @@ pub(super) struct Recovered {
     pub items: Vec<Item>,
     /// The findings about what cannot be read.
     pub findings: Vec<Diagnostic>,
-    /// How many tokens were cut by trying all ways.
+    /// How many tokens were cut into pieces by trying all ways; 0 for a stretch that is laid out in lines.
     pub searched: usize,
 }
 
-/// Reads significant tokens `from..to`, which begin and end with lines.
+/// Reads significant tokens `from..to`, which are whole lines.
 pub(super) fn recover(
     columns: Columns,
     (from, to): (usize, usize),
@@ -106,7 +107,8 @@ pub(super) fn line_break(columns: Columns, (from, to): (usize, usize), out: &mut
     }
 }
 
-/// Whether a record that can be read would be one without its ID, too.
+/// Whether the record at significant tokens `from..to` may have lost its ID: the same tokens, taken for type and
+/// parameters, would be a whole record with an ID in front.
 pub(super) fn has_lost_id(columns: Columns, from: usize, to: usize) -> bool {
     let stretch = Stretch::new(columns, from, to);
     faults::has_lost_id(&stretch, 0, to - from)
@@ -126,8 +128,8 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
     };
     let mut damage = damage::damage(stretch, around, &pieces);
     if damage > 0 && pieces.iter().any(takes_over) {
-        // A record took numbers from a line that looks like one of its own. As something is
-        // missing now, believe the line.
+        // A record took numbers from a line that looks like a record of its own, and something else is wrong now. So
+        // the line is believed if that costs no more errors.
         let doubting = layout::cut(stretch, witnesses, strict.as_deref(), true);
         let other = damage::damage(stretch, around, &doubting);
         if other <= damage {
@@ -138,9 +140,9 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
         && !stretch.has_unclosed_comment(0, stretch.len())
         && let Some(strict) = strict
     {
-        // The arity has a reading without faults. If nothing in it would be an error for its meaning,
-        // it stands against two errors, and against one where no line was crossed. A reading that cuts up the line of
-        // the render record is not what anybody meant.
+        // There is a reading by arity without faults. If its meaning has no errors either, it is preferred to a reading
+        // with two errors or more, and to one with a single error if it is not odd. Nobody means a reading that cuts up
+        // the line of the render record.
         let sound = damage::damage(stretch, around, &strict) == 0
             && partial_parses::is_sound(stretch, around, &strict);
         let may_be_meant = match damage {
@@ -154,7 +156,7 @@ fn pieces(stretch: &Stretch, witnesses: &Witnesses, around: &Surroundings) -> Ve
     pieces
 }
 
-/// The stretch read by arity, if that leaves nothing over.
+/// Reads the stretch by arity. `None` if some token cannot be read as part of a record.
 fn by_arity(stretch: &Stretch) -> Option<Vec<RecordCandidate>> {
     let mut pieces = Vec::new();
     let mut start = 0;

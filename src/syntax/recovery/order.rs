@@ -1,21 +1,21 @@
-//! The order of IDs: a file has them in order, mostly, and a row of a table hardly ever begins with a number that is just
-//! between two of them.
+//! The order of IDs. Most files have their IDs in order, and a row of a table hardly ever begins with a number that is
+//! just between two IDs.
 
 use super::super::table::{Effect, RecordKind, RecordType};
 use super::stretch::Stretch;
 
-/// How many lines around a stretch are looked at, to find an ID.
+/// How many lines before and behind a stretch are searched for an ID.
 const AROUND: usize = 8;
-/// Number of IDs behind all others that count as the next ones.
+/// How many numbers behind the highest ID count as the next ones.
 const NEXT: i32 = 4;
 
-/// The ID that a line defines which begins with two tokens.
+/// The ID that a line surely defines, given its first two tokens; `None` if its type may change an ID.
 fn defined(head: [Option<i32>; 2]) -> Option<i32> {
     let is_new = |ty: &RecordType| matches!(ty.effect, Effect::Defines(_));
     named(head).filter(|_| type_of(head).is_some_and(is_new))
 }
 
-/// The ID that a line names as a new one: the same, but for changes and render records.
+/// The ID that a line may define, given its first two tokens; `None` for changes and for render records.
 fn named(head: [Option<i32>; 2]) -> Option<i32> {
     let is_new =
         |ty: &RecordType| !matches!(ty.effect, Effect::Changes(_)) && ty.kind != RecordKind::Render;
@@ -26,7 +26,7 @@ fn type_of([_, code]: [Option<i32>; 2]) -> Option<&'static RecordType> {
     RecordType::by_code(code?.into())
 }
 
-/// For each line of a stretch the IDs that are defined before it and behind it.
+/// For each line of a stretch the last ID that is defined before it and the next one behind it.
 pub(crate) struct Order {
     bounds: Vec<[i32; 2]>,
 }
@@ -39,7 +39,7 @@ impl Order {
         }
     }
 
-    /// `is_read`: whether the record at the head of a line can be read.
+    /// Finds the order of the IDs in a stretch. `is_read` says whether a record can be read at the head of a line.
     pub(crate) fn new(stretch: &Stretch, is_read: impl Fn(usize) -> bool) -> Order {
         let lines = stretch.line_count();
         let known = |line: usize| is_read(line).then(|| defined(stretch.head(line))).flatten();
@@ -64,13 +64,13 @@ impl Order {
         order
     }
 
-    /// Whether an ID at the head of a line would be between those around.
+    /// Whether an ID at the head of a line would be between the IDs before and behind the line.
     pub(crate) fn has(&self, line: usize, id: i32) -> bool {
         let [before, behind] = self.bounds[line];
         before < id && id < behind
     }
 
-    /// The same for any of some IDs, which are sorted.
+    /// Like [`has`](Self::has), for any of some IDs, which are sorted.
     pub(crate) fn has_any(&self, line: usize, sorted: &[i32]) -> bool {
         let [before, behind] = self.bounds[line];
         let next = sorted.partition_point(|&id| id <= before);

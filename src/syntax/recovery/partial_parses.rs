@@ -1,5 +1,5 @@
-//! Partial parses: the state at a place of a text when it has been cut into pieces up to there, in one of many ways:
-//! the IDs that are defined, their kinds, and the highest.
+//! Partial parses. There are many ways to cut a text into pieces up to a place. For the cheapest one the state at the
+//! place is known: the IDs that are defined, their kinds, and the highest ID.
 
 use rustc_hash::FxHashMap;
 
@@ -23,9 +23,9 @@ struct BackPointer {
     /// found in a logarithmic number of jumps.
     jump: u32,
     depth: u32,
-    /// The highest ID so far.
+    /// The highest ID on the way.
     top: u32,
-    /// Whether an ID may be defined where nobody knows: a record has lost its ID, or there are other stretches.
+    /// Whether an ID may be defined that is not known here: a record has lost its ID, or there are other stretches.
     lost: bool,
 }
 
@@ -38,11 +38,11 @@ pub(super) enum Id {
     None,
 }
 
-/// A piece that defines an ID ends at a place.
+/// A piece that defines an ID: the place at which it ends, and the kind of the ID's value.
 #[derive(Debug, Clone, Copy)]
 struct Definition {
     end: u32,
-    /// `None` where nobody can tell.
+    /// `None` if the kind cannot be told.
     kind: Option<Kind>,
 }
 
@@ -51,16 +51,16 @@ pub(super) struct PartialParses<'a, 's> {
     around: &'a Surroundings,
     steps: Vec<BackPointer>,
     defined: FxHashMap<u32, Vec<Definition>>,
-    /// The last places arrived at. What is far back and on none of their ways is on none any more.
+    /// The last places arrived at. A place far back that is on no way to one of these will be on no way later, either.
     latest: [u32; STATES],
 }
 
-/// Most ways to a token that are kept apart; each is a place.
+/// How many ways to a token are kept apart. Each of them is a place of its own.
 pub(super) const STATES: usize = 4;
 
-/// Most definitions of an ID that are kept without asking whether they are on any way.
+/// The most definitions of an ID that are kept without a check whether they are on any way.
 const DEFINITIONS: usize = 8;
-/// Places this far back are on all ways, or on none.
+/// A place this many places back is on all ways or on none.
 const SETTLED: usize = 2000;
 
 impl<'a, 's> PartialParses<'a, 's> {
@@ -82,8 +82,8 @@ impl<'a, 's> PartialParses<'a, 's> {
         }
     }
 
-    /// The cheapest way to place `end` has a last piece from `from` on, with an ID unless it lost it, which is the ID
-    /// of a record of a type that may be unknown.
+    /// Says that the last piece of the cheapest way to place `end` begins at place `from`. `id` is the ID of the piece,
+    /// and `ty` is its type, or `None` if the type is unknown.
     pub(super) fn arrive(
         &mut self,
         (from, end): (usize, usize),
@@ -104,7 +104,7 @@ impl<'a, 's> PartialParses<'a, 's> {
         self.latest[end % STATES] = end as u32;
         let Id::Is(id @ 2..) = id else { return };
         let kind = match ty.map(|t| t.effect) {
-            // A copy is what the other one is.
+            // A copy has the kind of the original, which is not looked up.
             Some(_) if ty.is_some_and(|t| t.kind == RecordKind::Copy) => None,
             Some(Effect::Defines(kind)) => Some(kind),
             Some(Effect::DefinesOrChanges(kind, _)) if self.kind(id, from).is_none() => Some(kind),
@@ -141,7 +141,8 @@ impl<'a, 's> PartialParses<'a, 's> {
         at == place
     }
 
-    /// The kind of an ID's value at a place, if the ID is defined; `Some(None)` if nobody can tell.
+    /// The kind of an ID's value at a place; `None` if the ID is not defined there, `Some(None)` if the kind cannot be
+    /// told.
     fn kind(&self, id: u32, place: usize) -> Option<Option<Kind>> {
         let here = self.defined.get(&id).and_then(|all| {
             let mut all = all.iter().rev();
@@ -157,7 +158,7 @@ impl<'a, 's> PartialParses<'a, 's> {
         })
     }
 
-    /// The price of doubts about an ID of a record of a type, at a place.
+    /// The price of doubts about the ID of a record of type `ty` that begins at a place.
     pub(super) fn id(&self, id: u32, ty: Option<&'static RecordType>, place: usize) -> u32 {
         if ty.is_some_and(|t| (t.kind == RecordKind::Render) != (id == 1)) {
             return RENDER_ID;
@@ -181,7 +182,7 @@ impl<'a, 's> PartialParses<'a, 's> {
         }
     }
 
-    /// Whether an ID is about the next that the order of IDs asks for.
+    /// Whether an ID is one of the four numbers behind the highest ID on the way to a place.
     pub(super) fn is_next(&self, id: u32, place: usize) -> bool {
         let top = self.steps[place].top;
         top > 0 && (top + 1..=top + 4).contains(&id)
@@ -211,7 +212,7 @@ impl<'a, 's> PartialParses<'a, 's> {
     pub(super) fn param(&self, at: usize, ty: &RecordType, param: &Param, place: usize) -> u32 {
         let sig = &self.stretch.sigs[at];
         if !fits(sig.kind, param.kind) {
-            // A token that can be nothing is an error by itself.
+            // A bad token has its price as an error elsewhere.
             return if sig.kind.is_bad() { 0 } else { WRONG_KIND };
         }
         if !allows(param, self.stretch.value(at)) {

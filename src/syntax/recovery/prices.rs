@@ -3,15 +3,15 @@
 
 // Errors: pieces that are no records, and lines that are swallowed.
 
-/// The price of a record as a fault that has none: it is to be read as it stands.
+/// The price of taking a record for a fault if nothing is wrong with it: the record must be read as it stands.
 pub(super) const NOTHING_WRONG: u32 = 1_000 * FAULT;
-/// The price of a record that ends within a line that is one of its own but for a slip: more than what the two are
-/// worth as errors.
+/// The price of a record that takes numbers from a line which would be a record but for a slip. More than two errors,
+/// one in the record and one in the line.
 pub(super) const TWO_SLIPS: u32 = 2 * FAULT + FAULT / 10;
-/// The price of a line that says it is a record of its own and is swallowed by another: more than an error, as it
-/// would be one by itself at most.
+/// The price of a line that looks like a record of its own and is swallowed by another. More than an error, since the
+/// line by itself would be one error at most.
 pub(super) const OWN_LINE: u32 = FAULT + FAULT / 2;
-/// The price of what is likelier a mistake than meant: more than one error, less than two.
+/// The price of a reading that is likelier a mistake than meant: more than one error, less than two.
 pub(super) const IMPLAUSIBLE: u32 = 1200;
 /// The price of a record with two numbers more or less than it takes.
 pub(super) const FEW_OFF: u32 = FAULT + 2 * ONE_OFF;
@@ -19,17 +19,17 @@ pub(super) const FEW_OFF: u32 = FAULT + 2 * ONE_OFF;
 pub(super) const FAULT: u32 = 1000;
 /// The price of a reading that only a second look would doubt: a little less than an error.
 pub(super) const DOUBTFUL: u32 = 900;
-/// The price of a record that was cut off by a comment which nobody closed: that comment is an error already.
+/// The price of a record that was cut off by a comment which nobody closed: the comment is an error already.
 pub(super) const CUT_OFF: u32 = FAULT / 10;
-/// Additional price of taking the type of an operation, a light, a camera or a property for a coordinate. The record
-/// that it may be the type of has up to two numbers more or less than it takes.
+/// Additional price of taking the type of an operation, a light, a camera or a property for a coordinate. A record of
+/// that type with two numbers too many or too few is cheaper.
 pub(super) const TYPE_AS_COORDINATE: u32 = 3 * ONE_OFF;
 /// The price of a line that is a record but for integers that are spelled as reals. A program may have written all
 /// lines like that: it is less than what three numbers too many cost.
 pub(super) const REALS: u32 = 50;
 /// Price of the cheapest fault.
 pub(super) const LEAST_PRICE: u32 = REALS;
-/// Additional price of taking the next number after the ID of the line before for a type.
+/// Additional price of taking a number for a type if it follows the ID of the line before: it is rather the next ID.
 pub(super) const IN_ORDER: u32 = 40;
 /// The price of each number more or less.
 pub(super) const ONE_OFF: u32 = 20;
@@ -48,21 +48,20 @@ pub(super) const REFERS_TO_NOTHING: u32 = 900;
 pub(super) const NOT_ALLOWED: u32 = 900;
 /// Price of a parameter that is no number of its kind.
 pub(super) const WRONG_KIND: u32 = 600;
-/// The price of a number that reads like the type of an operation or a property, perhaps without its sign, and is
-/// none.
+/// The price of a parameter that looks like the type of an operation or a property, perhaps without its sign.
 pub(super) const LIKE_A_TYPE: u32 = 200;
 /// Price of an ID that is new and lower than another one: files have their IDs in order, mostly.
 pub(super) const OUT_OF_ORDER: u32 = 150;
 /// Price of an ID that is changed or referred to where a record before lost its ID, which may be that one.
 pub(super) const MAY_BE_LOST: u32 = 150;
-/// The price of a number that reads like the next ID and is none.
+/// The price of a parameter that looks like the next ID.
 pub(super) const LIKE_AN_ID: u32 = 50;
 
 // Where line breaks say nothing: what each mistake costs more or less than another.
 
 /// Highest price of doubts about a record that is not right in form.
 pub(super) const DOUBTS_OF_FAULT_MAX: u32 = 3000;
-/// Faults are looked for where no way ahead is cheaper by this.
+/// Faults are not looked for at a token if a way to one of the next tokens is cheaper by this much.
 pub(super) const HOPELESS: u64 = 1500;
 /// Highest price of doubts about a record that is right in form: less than for garbage.
 pub(super) const DOUBTS_MAX: u32 = 1250;
@@ -70,21 +69,22 @@ pub(super) const DOUBTS_MAX: u32 = 1250;
 pub(super) const NO_RECORD: u32 = 300;
 /// The price of a `0` that introduces no comment.
 pub(super) const LONE_VOID: u32 = 300;
-/// The price of a wrong number of points where the numbers behind do not make up whole ones.
+/// The price of a wrong number of points if the numbers behind it are not whole points.
 pub(super) const PARTS_OF_POINTS: u32 = 200;
-/// Highest price of doubts about parameters that are those of no type.
+/// Highest price of doubts about parameters that fit no type.
 pub(super) const FITS_NO_TYPE: u32 = 200;
-/// The price of an ID that is lost where a number could be it.
+/// The additional price of a lost ID if a number at its place could be that ID.
 pub(super) const COULD_BE_ID: u32 = 150;
-/// The price of each token of what does not end with its line: a record's are together about as dear as an error.
+/// The price of each token of a piece that is no record and does not end with its line. The tokens of a whole record
+/// together cost about as much as an error.
 pub(super) const GARBAGE: u32 = 150;
 /// Additional price of a number too many before the type if it could be the type itself.
 pub(super) const STRAY_TYPE: u32 = 100;
 /// Additional price of a lost ID before a type that reads like any other number.
 pub(super) const LIKE_A_NUMBER: u32 = 60;
-/// The price of a wrong number of points where the numbers behind make up whole ones.
+/// The price of a wrong number of points if the numbers behind it are whole points.
 pub(super) const WHOLE_POINTS: u32 = 60;
-/// The price of an optional group that is there or not against what the following records say.
+/// The price of reading an optional group, or of leaving it out, against the evidence of the following records.
 pub(super) const OTHER_WAY: u32 = 60;
 /// The price of a place within a piece at which a record could begin.
 pub(super) const HEAD_WITHIN: u32 = 60;
@@ -92,11 +92,11 @@ pub(super) const HEAD_WITHIN: u32 = 60;
 pub(super) const STRAY: u32 = 40;
 /// The price of each parameter that is missing or too many, beside that of the error.
 pub(super) const MORE_OR_FEWER: u32 = 40;
-/// Additional price where the number is the type of other records.
+/// Additional price of a wrong type if the number is the type of other records.
 pub(super) const A_TYPE_AFTER_ALL: u32 = 30;
 /// Additional price of a token that can be no ID in the place of one.
 pub(super) const BAD_ID: u32 = 20;
-/// How much less one parameter more or fewer costs together: that is what people mistake most.
+/// The discount on parameters that are missing or too many: no mistake is more frequent.
 pub(super) const ONE_IS_LIKELY: u32 = 20;
 /// How much less a lost sign costs than another error.
 pub(super) const SIGN_IS_LIKELY: u32 = 20;
@@ -104,10 +104,10 @@ pub(super) const SIGN_IS_LIKELY: u32 = 20;
 pub(super) const WRONG_TYPE: u32 = 20;
 /// The price of each token of a record of no known type.
 pub(super) const UNTYPED: u32 = 10;
-/// Additional price of a token which can be nothing and stands for itself.
+/// Additional price of a bad token as a piece by itself.
 pub(super) const ALONE: u32 = 10;
 
-// Comments. Lines are read by prices of their own, which are not compared with the others: an error is about 100.
+// Comments. These prices are compared only with each other: an error is about 100.
 
 /// The price of words behind a comment's closing sign, if the comment hides a record or the sign is the first thing on
 /// its line: comments turned inside out, as where a `#` on each line is meant to comment the rest of the line. More

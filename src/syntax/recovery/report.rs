@@ -22,12 +22,12 @@ pub(super) fn header(ty: &RecordType) -> String {
     }
 }
 
-/// The comments that nobody closes.
+/// Reports the comments that nobody closes.
 pub(crate) fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) {
     for (i, t) in tokens.iter().enumerate() {
         if t.kind() == TokenKind::UnterminatedComment {
             let end = t.start + t.text(text).trim_end().len() as u32;
-            // A sign with nothing behind it closes a comment rather than that it opens one.
+            // A `#` with nothing behind it was rather meant to close a comment.
             let applicability = match t.text(text).trim_end().len() {
                 0 | 1 => Applicability::Unsafe,
                 _ => Applicability::Safe,
@@ -40,8 +40,8 @@ pub(crate) fn comments(text: &str, tokens: &[Token], out: &mut Vec<Diagnostic>) 
     }
 }
 
-/// A comment without the `#` in it, as in `# see #1 top #`, where the last token is that comment or what such a sign has
-/// left of it.
+/// The fix that leaves out each `#` inside of a comment, as in `# see #1 top #`. The last token is that comment, or the
+/// rest of it behind an inner `#`.
 fn without_inner_signs(text: &str, tokens: &[Token]) -> Option<Fix> {
     let (last, before) = tokens.split_last()?;
     let words = last.text(text).trim_end();
@@ -156,7 +156,7 @@ impl Reporter<'_, '_> {
                 let is_all = got == 1 && expected > 1 && words == 1;
                 let is_said = out.len() > before && (is_all || numbers == expected);
                 if !is_said {
-                    // Of too many, one may stand in the place of a number.
+                    // If there are too many, a word may stand in the place of a number.
                     let got = if got < expected { numbers } else { got };
                     out.push(self.count(piece, ty, got, expected));
                 }
@@ -176,7 +176,7 @@ impl Reporter<'_, '_> {
                     .with("wanted", count(expected))
                     .with("fewer", "none")
                     .with("header", header(ty));
-                // The ID in the place of the two tokens that it is made of.
+                // The fix writes the ID in the place of the first two tokens.
                 let (head, id) = (self.span(start, start + 2), id.to_string());
                 let fix = Fix::replace("fix-write", Applicability::Unsafe, head, id.clone());
                 out.push(match self.only_space_between(start) {
@@ -253,7 +253,7 @@ impl Reporter<'_, '_> {
             .with("type", Value::Term(ty.title))
             .with("number", ty.code.to_string())
             .with("header", header(ty));
-        // There is but one ID that it can have.
+        // The render record can only have the ID 1.
         let head = format!("1 {}", ty.code);
         let fix = Fix::replace("fix-write", Applicability::Unsafe, span, head.clone());
         match ty.kind {
@@ -263,7 +263,7 @@ impl Reporter<'_, '_> {
         }
     }
 
-    /// A token that can be nothing at all, reported by its own form. `false` if it is none.
+    /// Reports a token that is wrong wherever it stands. Returns `false` for any other token.
     fn bad_token(&self, i: usize, out: &mut Vec<Diagnostic>) -> bool {
         let token = self.stretch.token(i);
         let text = self.text(i);
@@ -326,7 +326,7 @@ impl Reporter<'_, '_> {
                 && let Some(d) = out.pop_if(|d| d.code == Code::E012)
             {
                 let is_axis = ["x", "y", "z"].contains(&self.text(i).to_lowercase().as_str());
-                // All that it has is its axis.
+                // The axis is the record's only parameter.
                 let is_alone = ty.kind == RecordKind::Rotation && end - first == 1;
                 let case = match is_alone && is_axis {
                     true => "angle",
@@ -366,7 +366,7 @@ impl Reporter<'_, '_> {
         })
     }
 
-    /// The decimal commas among tokens that nothing else is said of.
+    /// Reports the decimal commas among tokens about which nothing else is reported.
     fn commas(&self, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
         for i in first..end {
             if self.stretch.sigs[i].kind == TokenKind::DecimalComma {
@@ -375,7 +375,7 @@ impl Reporter<'_, '_> {
         }
     }
 
-    /// Parameters of a record with the right number of them (but for bad tokens).
+    /// Reports the parameters of a record that has the right number of them, bad tokens aside.
     fn params(&self, ty: &'static RecordType, first: usize, end: usize, out: &mut Vec<Diagnostic>) {
         let before = out.len();
         self.bad_tokens(ty, first, end, out);
@@ -556,7 +556,7 @@ impl Reporter<'_, '_> {
     }
 }
 
-/// A fix that writes something else, which is in the place `number`.
+/// A fix that replaces a span by `text`, which the finding quotes as its value `number`.
 pub(super) fn write(applicability: Applicability, span: Span, text: String) -> Fix {
     Fix::replace("fix", applicability, span, text)
 }
@@ -571,7 +571,7 @@ fn repaired(text: &str) -> Option<String> {
     if let Some(value) = calculated(text) {
         return Some(value);
     }
-    // Between two numbers such a sign has a meaning, which is lost without it.
+    // Between two numbers one of these signs has a meaning, and must not be left out.
     let is_between = |sign: char| text.trim_end_matches(sign).contains(sign);
     if text.contains(['/', '*', '√']) || ['^', ':', '·', '\'', '’'].into_iter().any(is_between)
     {

@@ -1,7 +1,7 @@
-//! Tokens that may be two numbers: `0,5` has a decimal comma, or the separator of the handout's
-//! notation of points stands in it; `0-1` and `1.2.3` may have lost a space. They are two where that
-//! gives the record on the line as many numbers as it takes, and one token each does not. In the same
-//! way `(0,5; 1)`, where the comma is a separator at first sight, may be two numbers instead of three.
+//! Tokens that may be two numbers: `0,5` has a decimal comma, or the separator of the handout's notation of points;
+//! `0-1` and `1.2.3` may have lost a space. A token is read as two numbers if the record on the line then has as many
+//! numbers as it takes, and has not if each token is one number. In the same way `(0,5; 1)`, where the comma is a
+//! separator at first sight, may be two numbers instead of three.
 
 use super::super::ast::{Broken, Fault, Item};
 use super::super::commas::pairs;
@@ -12,7 +12,7 @@ use super::super::table::{ParamKind, RecordType};
 use super::stretch::MIN_LONG_PARAMS;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span};
 
-/// The tokens that are taken for several numbers, and those of which several are taken for one.
+/// A way to read a line: which tokens are cut into several numbers, and whether pairs of tokens are joined to one.
 #[derive(Clone, Copy, PartialEq, Eq)]
 struct Split {
     commas: bool,
@@ -57,7 +57,8 @@ impl Split {
     }
 }
 
-/// The tokens of a text anew, and the places of the numbers that had lost the space between them.
+/// Reads the tokens of a text anew. Also returns the spans of the words that are several numbers without a space
+/// between them.
 pub(crate) fn respell(text: &str, tokens: Vec<Token>) -> (Vec<Token>, Vec<Span>) {
     let may_be_two = |t: &Token| {
         t.kind() == TokenKind::DecimalComma
@@ -131,7 +132,7 @@ fn cuts(word: &str) -> Option<Vec<usize>> {
     (!out.is_empty() && out.len() <= PARTS_MAX).then_some(out)
 }
 
-/// No more numbers than these are taken from one word.
+/// The most places at which one word is cut.
 const PARTS_MAX: usize = 20;
 
 /// The length of the longest number that a word begins with.
@@ -169,11 +170,11 @@ fn number_length(word: &[u8]) -> Option<usize> {
 struct Lines<'a> {
     text: &'a str,
     tokens: &'a [Token],
-    /// See [`pairs`].
+    /// The pairs of integers that [`pairs`] finds.
     pairs: &'a [Token],
-    /// For each line one past its last token, trivia counted.
+    /// For each line the index behind its last token, trivia counted.
     ends: Vec<usize>,
-    /// For each way to read, how many numbers there are before each line.
+    /// For each way to read, how many numbers stand before each line and before the end.
     before: Vec<(Split, Vec<u64>)>,
 }
 
@@ -215,8 +216,8 @@ impl<'a> Lines<'a> {
             .filter(significant)
     }
 
-    /// The tokens that a token is read as: itself, its parts, or a pair, if it is the first token of one; none, if it
-    /// is another one of a pair.
+    /// The tokens that a token is read as: itself, its parts, or the pair that begins with it. Empty for the other
+    /// tokens of a pair.
     fn read(&self, token: &Token, split: Split) -> Vec<Token> {
         let pair = match split.joined {
             true => self
@@ -241,7 +242,7 @@ impl<'a> Lines<'a> {
         parts
     }
 
-    /// How to read each line.
+    /// Chooses for each line how to read it.
     fn splits(&self) -> Vec<Split> {
         let lines = self.ends.len();
         let commas = |l: usize| {
@@ -252,8 +253,8 @@ impl<'a> Lines<'a> {
         let mut decimal_commas = false;
         let mut l = 0;
         while l < lines {
-            // What ends with its own line goes before what ends with a later one, and that before
-            // what takes in a line that is a record as it stands.
+            // A record that ends with its own line is preferred to one that ends with a later line. A record that takes
+            // in a line which is a record as it stands is the last choice.
             let ways = self.before.iter();
             let ways = ways.filter_map(|s| Some((s.0, self.fits(l, s)?)));
             let whole = |l: usize| self.fits(l, &self.before[0]) == Some(1);
@@ -272,8 +273,7 @@ impl<'a> Lines<'a> {
             l += n;
         }
         if decimal_commas {
-            // Where commas are decimal commas elsewhere, a single one is so too, and a number is
-            // missing.
+            // If there are decimal commas elsewhere, the only comma of a line is one too, and the line lacks a number.
             for (l, split) in out.iter_mut().enumerate() {
                 if split.commas && commas(l) == 1 {
                     split.commas = false;
@@ -283,7 +283,8 @@ impl<'a> Lines<'a> {
         out
     }
 
-    /// How many lines the record at the head of a line takes, if it ends with a line.
+    /// How many lines the record at the head of a line takes, read in one of the ways; `None` if it does not end with a
+    /// line.
     fn fits(&self, line: usize, (split, before): &(Split, Vec<u64>)) -> Option<usize> {
         let mut head = self.line(line).flat_map(|t| self.numbers(t, *split));
         let mut integer = || head.next()?.integer(self.text);
@@ -360,7 +361,7 @@ pub(crate) fn report(text: &str, tokens: &[Token], glued: &[Span], out: &mut Vec
     }
 }
 
-/// The other pairs of numbers that may be meant by one with two points: `0.41.5` is `0.4 1.5`, or a point stands for the
+/// The other pairs of numbers that a word with two points may mean: `0.41.5` is `0.4 1.5`, or a point stands for the
 /// space.
 fn others(word: &str) -> Vec<String> {
     let parts: Vec<&str> = word.split('.').collect();
@@ -380,7 +381,8 @@ fn others(word: &str) -> Vec<String> {
         .collect()
 }
 
-/// Records with numbers that had lost the space between them are broken: an error was reported.
+/// Makes each record with numbers that had lost the space between them a broken item, since an error was reported for
+/// it.
 pub(crate) fn broken(items: &mut [Item], tokens: &[Token], glued: &[Span]) {
     for item in items {
         let Item::Record(r) = item else { continue };

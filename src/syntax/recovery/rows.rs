@@ -29,7 +29,7 @@ impl Reporter<'_, '_> {
             && params.is_some_and(|params| last_row::is_record(ty, &params))
     }
 
-    /// The warning of a record that takes its last numbers from a line which would be one by itself.
+    /// The warning about a record that takes its last numbers from a line which would be a record by itself.
     pub(super) fn line_break(&self, piece: &RecordCandidate, ty: &RecordType) -> Diagnostic {
         let stretch = self.stretch;
         let last = stretch.line(piece.end - 1);
@@ -51,7 +51,8 @@ impl Reporter<'_, '_> {
             .label(self.span(piece.start, head), "begin")
     }
 
-    /// The number of whole points of a record that says another number; `None` where its points are not whole.
+    /// The number of points that a record has, if its count says another number. `None` if its numbers are not whole
+    /// points.
     pub(super) fn points(
         &self,
         piece: &RecordCandidate,
@@ -70,7 +71,7 @@ impl Reporter<'_, '_> {
         (rows.len() == 1 || rows.iter().all(is_whole)).then_some(numbers / each)
     }
 
-    /// The numbers of a record line by line, behind its ID, its type and its number of points.
+    /// For each line of a record the range of tokens that are its numbers, without ID, type and number of points.
     fn rows(&self, piece: &RecordCandidate, ty: &RecordType) -> Vec<(usize, usize)> {
         let stretch = self.stretch;
         let head = piece.start + 2 + usize::from(ty.is_counted());
@@ -94,8 +95,8 @@ impl Reporter<'_, '_> {
                 .all(|n| lengths.any(|&length| length == n))
     }
 
-    /// In a record laid out over lines: the line whose length deviates from the others by just what
-    /// the whole record deviates.
+    /// The line of a record over several lines that is longer or shorter than the others by just as much as the whole
+    /// record is too long or too short, as a range of tokens.
     pub(super) fn odd_row(
         &self,
         piece: &RecordCandidate,

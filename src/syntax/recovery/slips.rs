@@ -1,5 +1,5 @@
-//! Lines that would be records of their own but for a slip, and tables whose rows are none. Where the
-//! same mistake stands on many lines, no line is right, and these are the witnesses.
+//! Finds lines that would be records of their own but for a slip, and tables, whose rows are no records. Where the same
+//! mistake stands on many lines, no line is right, and only the slips show that the text is laid out in lines.
 
 use super::super::table::{RecordKind, RecordType};
 use super::diagnosis::{Diagnosis, RecordCandidate};
@@ -19,8 +19,8 @@ pub(super) enum Slip {
     No,
 }
 
-/// The slip of a line by itself; a line that may be a row of a table must have a type that no row has, or begin with an
-/// ID that is in order.
+/// Whether a line by itself is a record but for a slip. A line that may be a row of a table must have a type that no
+/// row has, or begin with an ID that is in order.
 pub(super) fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order) -> Slip {
     let (start, end) = (stretch.line_start(line), stretch.line_end(line));
     let in_order = order.head(stretch, line).is_some();
@@ -54,8 +54,8 @@ pub(super) fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order
             let head = got > 0 || ty.code <= LEAST_HEAD || in_order;
             (Some(ty), if head { Slip::Yes } else { Slip::Maybe })
         }
-        // Words for numbers, as in `2 -701 red`, or a vector that lacks, as in a camera without its up vector: of a
-        // table no row has those, nor such a type.
+        // Words for numbers, as in `2 -701 red`, or a missing vector, as in a camera without its up vector. No row of a
+        // table has this type.
         Diagnosis::WrongArity { ty, got, expected } if ty.code <= LEAST_HEAD => {
             let has_word = stretch.bad(start + 2, end) > 0;
             let is_short = got < expected && 2 * got > expected;
@@ -92,7 +92,7 @@ pub(super) fn slip(stretch: &Stretch, line: usize, in_table: bool, order: &Order
 /// Integers in tables of numbers are seldom as large as this.
 const NO_COORDINATE: i32 = 20;
 
-/// No table of numbers has a row that begins with an integer and a type as low as this.
+/// The greatest type number that tables do not have: no row begins with an integer and a second number as low as this.
 pub const LEAST_HEAD: i32 = -99;
 
 /// Whether a line begins like a record that no table of numbers would begin like.
@@ -107,8 +107,8 @@ pub(super) fn looks_like_a_head(stretch: &Stretch, line: usize) -> bool {
 /// How many numbers more or less are a slip of the pen.
 const SLIP_MAX: usize = 2;
 
-/// The end of the table that the record at the head of a line claims to have, one past its last line; the line itself
-/// where it claims none, or most of it stands on the line.
+/// The end of the table of numbers that the record at the head of a line should have below, one past the table's last
+/// line. The line itself if the record needs no table, or has most of its numbers on the line.
 pub(super) fn rows_expected(stretch: &Stretch, line: usize) -> usize {
     let (start, end) = (stretch.line_start(line), stretch.line_end(line));
     if stretch.sigs[start].int.is_none_or(|id| id <= 0) {
@@ -133,7 +133,7 @@ pub(super) fn is_slip(stretch: &Stretch, piece: &RecordCandidate) -> bool {
         verdict,
     } = *piece;
     let code = (start + 1 < end).then(|| stretch.sigs[start + 1].int);
-    // No table of numbers has such a type.
+    // No table of numbers has a type like these.
     let is_no_row = |code: i32| {
         let ty = RecordType::by_code(code.into());
         code <= LEAST_HEAD || ty.is_some_and(|ty| ty.kind == RecordKind::Render)
@@ -176,7 +176,7 @@ pub(super) fn is_slip(stretch: &Stretch, piece: &RecordCandidate) -> bool {
     }
 }
 
-/// How many numbers more or less are a slip of the pen in a record that takes so many.
+/// How many numbers more or less are a slip of the pen in a record that takes `expected` parameters.
 fn most_off(expected: usize) -> usize {
     SLIP_MAX.min(1 + expected / 4)
 }

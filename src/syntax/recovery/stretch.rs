@@ -1,5 +1,5 @@
-//! The significant tokens of a stretch of text, with what recovery asks of them all the time: the line they
-//! stand on, their value if they are integers, and the record that can be read from each on.
+//! The significant tokens of a stretch of text. For each of them recovery often needs three things: the line, the value
+//! of an integer, and the record that can be read from the token on.
 
 use super::super::lexer::{Token, TokenKind};
 use super::super::signature::{self, Columns, Reading};
@@ -34,9 +34,10 @@ pub(crate) struct Stretch<'s> {
     pub sigs: Vec<Sig>,
     /// For each line the index of its first significant token, and one more for the end.
     line_starts: Vec<u32>,
-    /// The lines on which a comment is given up.
+    /// The lines with a comment that nobody closes.
     unclosed_lines: Vec<u32>,
-    /// For each token how many before it are no plain numbers, and so bad, unless one is a file name.
+    /// For each token and the end, how many tokens before it are no plain numbers. Each of those is a bad token, unless
+    /// it is a file name.
     odd_before: Vec<u32>,
     /// For each token the record that can be read from there on.
     readings: Vec<Option<Reading>>,
@@ -116,18 +117,18 @@ impl<'s> Stretch<'s> {
         (self.columns.lexed).goes_out(self.from + from, self.from + to)
     }
 
-    /// [`signature::begins_again`] for a record and the start of a line.
+    /// Like [`signature::begins_again`], for a record and the start of a line in this stretch.
     pub(crate) fn begins_again(&self, head: usize, line: usize) -> bool {
         signature::begins_again(&self.columns, self.from + head, self.from + line)
     }
 
-    /// The significant token of the whole text that a token here is.
+    /// The index of a token of the stretch among the significant tokens of the whole text.
     pub(crate) fn in_text(&self, i: usize) -> usize {
         self.from + i
     }
 
-    /// The record at token `i` with its optional group where line breaks want it, if that is not how it can be read: a
-    /// mistake on a line behind it may have decided that.
+    /// The record at token `i` if line breaks alone decide about its optional group. `None` if there is no record, or
+    /// if it is the same as that of [`read`](Self::read), which a mistake on a line behind it may have changed.
     pub(crate) fn read_by_line(&self, i: usize) -> Option<Reading> {
         let reading = self.read(i)?;
         let to = self.from + self.len();
@@ -194,7 +195,7 @@ impl<'s> Stretch<'s> {
         (self.from + i) as u32
     }
 
-    /// Whether the values of a record are such as its type allows.
+    /// Whether the type of a record allows its values.
     pub(crate) fn values_allowed(&self, start: usize, r: &Reading) -> bool {
         let r = Reading {
             end: r.end + self.from,
@@ -203,7 +204,7 @@ impl<'s> Stretch<'s> {
         signature::values_allowed(&self.columns, start + self.from, &r)
     }
 
-    /// Whether a record has the ID or the values of none.
+    /// Whether a record has a wrong ID or wrong values for its type; see [`signature::is_odd`].
     pub(crate) fn is_odd(&self, start: usize, r: &Reading) -> bool {
         let r = Reading {
             end: r.end + self.from,
@@ -243,7 +244,7 @@ impl<'s> Stretch<'s> {
         self.line_starts[line] as usize
     }
 
-    /// Whether half of a line is words or more, the first one in the place of an ID.
+    /// Whether at least half of a line's tokens are words, among them the first token, where an ID should be.
     pub(crate) fn is_prose(&self, line: usize) -> bool {
         let tokens = &self.sigs[self.line_start(line)..self.line_end(line)];
         let is_word = |kind| matches!(kind, TokenKind::Word | TokenKind::Invalid);
@@ -260,12 +261,12 @@ impl<'s> Stretch<'s> {
         self.line_start(self.line(i)) == i
     }
 
-    /// Whether a stretch that stops before token `end` stops at the end of a line.
+    /// Whether the token before `end` is the last one of its line.
     pub(crate) fn ends_line(&self, end: usize) -> bool {
         end > 0 && self.line_end(self.line(end - 1)) == end
     }
 
-    /// Whether a comment was given up on one of the lines of tokens `from..to`.
+    /// Whether one of the lines of tokens `from..to` has a comment that nobody closes.
     pub(crate) fn has_unclosed_comment(&self, from: usize, to: usize) -> bool {
         let (first, last) = (self.line(from) as u32, self.line(to - 1) as u32);
         let i = self.unclosed_lines.partition_point(|&l| l < first);

@@ -1,5 +1,5 @@
-//! Sums and marks over the lines and tokens of a text, so that any stretch is judged at once, however
-//! long it is.
+//! Sums and flags over the lines and tokens of a stretch. With them any part of it is judged at once, however long it
+//! is.
 
 use super::super::table::RecordKind;
 use super::slips::looks_like_a_head;
@@ -7,18 +7,19 @@ use super::stretch::Stretch;
 use super::witness::Witnesses;
 
 pub(super) struct Sums {
-    /// The number of lines before each line that are records of their own by their looks.
+    /// For each line and the end, how many lines before it look like records of their own.
     pub own_before: Vec<u32>,
-    /// The number of such lines that are complete, and no row of a table of equally long lines.
+    /// For each line and the end, how many lines before it are complete records. Rows of a table of equally long lines
+    /// do not count.
     pub complete_before: Vec<u32>,
-    /// How many lines before each one are surely records of their own: they are but for a slip, or they are complete and
-    /// have an ID in order.
+    /// For each line and the end, how many lines before it are surely records of their own: they are records but for a
+    /// slip, or complete records with an ID in order.
     pub sure_before: Vec<u32>,
-    /// The last line of the table of numbers that begins behind each line; the line itself if none.
+    /// For each line the last line of the table of numbers that follows it; the line itself if none follows.
     pub table_end: Vec<u32>,
-    /// Whether the line of each token is whole records up to it.
+    /// For each token and the end, whether the part of its line before it is whole records.
     pub whole_until: Vec<bool>,
-    /// Whether the line of each token is whole records from it on.
+    /// For each token and the end, whether its line is whole records from it on.
     pub whole_from: Vec<bool>,
     /// For each token whether a piece may begin there.
     pub may_begin: Vec<bool>,
@@ -71,7 +72,7 @@ impl Sums {
     }
 }
 
-/// For each token (and the end): whether its line is whole records up to it, and from it on.
+/// For each token and the end, whether the part of its line before it is whole records, and the part from it on.
 fn whole(stretch: &Stretch) -> (Vec<bool>, Vec<bool>) {
     let n = stretch.len();
     let (mut until, mut from) = (vec![false; n + 1], vec![false; n + 1]);
@@ -96,13 +97,13 @@ fn whole(stretch: &Stretch) -> (Vec<bool>, Vec<bool>) {
     (until, from)
 }
 
-/// Whether a piece may begin at each token. Nothing begins in the middle of a line that begins as a record does, unless
-/// the line is a row of whole records: a number too many is not the ID of another record.
+/// For each token whether a piece may begin there. No piece begins in the middle of a line that begins like a record,
+/// unless the line is a row of whole records: a number too many is not the ID of another record.
 fn may_begin(stretch: &Stretch, whole_from: &[bool]) -> Vec<bool> {
     let mut out = vec![true; stretch.len() + 1];
     for line in 0..stretch.line_count() {
         let (start, end) = (stretch.line_start(line), stretch.line_end(line));
-        // What can be nothing may stand before the record.
+        // Bad tokens may stand before the record.
         let head = (start..end)
             .find(|&i| !stretch.sigs[i].kind.is_bad())
             .unwrap_or(end);

@@ -1,5 +1,5 @@
 //! Surroundings of a stretch that has to be recovered: the IDs that the rest of the text defines and uses, and whether
-//! it is laid out in lines. It is gone through once, however many stretches there are.
+//! it is laid out in lines. The rest is read once for all stretches.
 
 use super::super::ast::{Item, Record};
 use super::super::ids::IdTable;
@@ -9,16 +9,16 @@ use super::super::table::{Effect, ParamKind, RecordType};
 /// The part of a text that was read without a doubt.
 #[derive(Default)]
 pub(crate) struct Surroundings {
-    /// The first definition of each ID there, as a significant token.
+    /// For each ID the significant token at which this part defines it first.
     defined: IdTable,
-    /// The IDs that are used or changed there.
+    /// The IDs that this part uses or changes.
     used: IdTable,
-    /// The IDs among them that are defined nowhere there, in order.
+    /// The IDs that this part uses or changes and does not define, in ascending order.
     pub dangling: Vec<u32>,
-    /// How many lines it takes, and how many records.
+    /// How many lines this part takes, and how many records it has.
     pub lines: usize,
     pub records: usize,
-    /// Whether comments behind a record on its line are introduced by `0` there.
+    /// Whether a `0` introduces comments behind a record on its line in this part.
     pub voids_behind_records: bool,
     /// How many stretches have to be recovered.
     pub stretches: usize,
@@ -28,11 +28,11 @@ pub(crate) struct Surroundings {
     pub doubted: Option<usize>,
 }
 
-/// Most IDs that lead nowhere that are kept as witnesses.
+/// The most undefined IDs that are kept as evidence.
 const DANGLING_MAX: usize = 64;
 
 impl Surroundings {
-    /// `items` are what was read, `lines` how many lines they take.
+    /// Collects the IDs of `items`, which were read outside of the stretches. They take `lines` lines.
     pub(crate) fn new(
         columns: &Columns,
         items: &[Item],

@@ -15,16 +15,16 @@ use super::surroundings::Surroundings;
 
 /// The evidence of a text's lines about its layout.
 pub(crate) struct Witnesses<'a> {
-    /// The end of the record that a line begins, one past its last token, if the record ends at a line's end or is a VOID
-    /// with a comment; 0 where the line is no witness.
+    /// For each line the end of the record that it begins, one past the record's last token, if the record ends with a
+    /// line or is a VOID with a comment; 0 where the line is no witness.
     pub ends: Vec<u32>,
     /// Whether each line would be a record of its own, but for a slip. Lines of a longer record are `false`.
     pub slips: Vec<bool>,
-    /// The IDs that are in order there.
+    /// Which IDs would be in order at the head of each line.
     pub order: Order,
     /// Whether the text is laid out with records beginning and ending with lines.
     pub in_lines: bool,
-    /// The evidence of the witness lines about each ID they define, and the rest of the text.
+    /// For each ID the evidence of the witness lines that define it.
     heads: FxHashMap<i32, Head>,
     /// The IDs that witness lines use or change.
     used: FxHashSet<i32>,
@@ -34,7 +34,7 @@ pub(crate) struct Witnesses<'a> {
     /// Whether a line begins with a type that can be no ID, and other lines are no records either: they may have lost
     /// theirs as well.
     ids_lost: bool,
-    /// How many lines are records but for a slip.
+    /// How many lines of the stretch are records but for a slip.
     slipped: usize,
     /// Whether comments behind a record on its line are introduced by `0` here.
     pub voids_behind_records: bool,
@@ -43,10 +43,10 @@ pub(crate) struct Witnesses<'a> {
 /// The lines that define one ID.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Head {
-    /// `None` if it stands before the stretch.
+    /// The first of these lines; `None` if it stands before the stretch.
     pub first_line: Option<usize>,
-    /// How many can only be definitions, so that all but one are too many; and how many of these
-    /// also read well as a record without its ID.
+    /// How many of these lines can only be definitions, so that all but one are too many. `may_be_lost` says how many
+    /// of them may have lost their IDs: they would also be whole records with an ID in front.
     pub definitions: u32,
     pub may_be_lost: u32,
 }
@@ -80,8 +80,8 @@ impl<'a> Witnesses<'a> {
             }
         }
         let mut order = Order::new(stretch, |line| ends[line] > 0);
-        // How much of the text is laid out in lines: a walk from record to record. One disturbed
-        // run is what one mistake makes, however long the record is that it spoils.
+        // A walk from record to record measures how much of the text is laid out in lines. One mistake disturbs one run
+        // of lines, however long the record is that it spoils.
         let (mut line, mut covered, mut runs, mut disturbed) = (0, 0, 0, false);
         let mut steps = 0;
         let mut used = FxHashSet::default();
@@ -92,7 +92,7 @@ impl<'a> Witnesses<'a> {
         while line < lines {
             let next = match ends[line] {
                 0 if run_to_line_end(stretch, line) => line + 1,
-                // It was meant as a comment, and says nothing.
+                // A line of prose was meant as a comment, and is no evidence.
                 0 if stretch.is_prose(line) => {
                     prose += 1;
                     line += 1;
@@ -271,7 +271,8 @@ impl<'a> Witnesses<'a> {
     }
 }
 
-/// The IDs by the lines: where a record begins with the number of an ID that is missing, that is the record's ID.
+/// The IDs according to the lines. If a record begins with a number that is a missing ID, this number is the record's
+/// ID.
 impl IdContext for Witnesses<'_> {
     fn is_missing(&self, id: i32) -> bool {
         let used =
@@ -297,7 +298,7 @@ impl IdContext for Witnesses<'_> {
     }
 
     fn misses_another(&self, id: i32) -> bool {
-        // The same may have happened to other lines.
+        // Other lines may lack their IDs, too.
         let others = self.ids_lost || self.slipped > 1;
         others || self.missing.iter().any(|&other| other != id)
     }
@@ -355,8 +356,8 @@ fn run_to_line_end(stretch: &Stretch, line: usize) -> bool {
     true
 }
 
-/// Whether a line is a render record by itself, but for a slip in its type, and its numbers are those of other records in
-/// a reading.
+/// Whether a reading gives the numbers of a render record's line to other records. The line is a render record by
+/// itself, perhaps with a slip in its type.
 pub(super) fn loses_render(
     stretch: &Stretch,
     witnesses: &Witnesses,
@@ -383,9 +384,9 @@ fn is_nearly_render(stretch: &Stretch, line: usize) -> bool {
     is_one && strsim::osa_distance(written(), &ty.code.to_string()) == 1
 }
 
-/// Whether a reading without faults has something in it that people do not write in a text laid out
-/// in lines: a record that straddles, one that takes the line of an operation or a property, a VOID without a comment
-/// behind a record, a heading's `0` taken for a number.
+/// Whether a reading without faults has something in it that people do not write in a text laid out in lines: a record
+/// that begins inside of a line and ends on another one, a record that takes the line of an operation or a property, a
+/// VOID without a comment behind a record, or the `0` of a heading taken for a number.
 pub(super) fn is_odd(stretch: &Stretch, witnesses: &Witnesses, pieces: &[RecordCandidate]) -> bool {
     pieces.iter().any(|p| {
         let behind = !stretch.starts_line(p.start);

@@ -13,13 +13,13 @@ use super::super::prices::{
 };
 use super::{Head, MAX_NUMBERS_OFF, MAX_PARAMS, Search};
 
-/// Most tokens outside of records that are counted.
+/// The most tokens of a piece that count towards its price.
 const COUNTED_MAX: usize = 10_000;
-/// How far the end of a record is looked for that has lost its type or its number of points.
+/// How many tokens ahead the end of a record is looked for if its type or its number of points is lost.
 const REACH: usize = 64;
 
 impl Search<'_, '_> {
-    /// The records with one mistake that may begin at a token.
+    /// Tries the records with one mistake that may begin at a token.
     pub(super) fn faults(&mut self, at: usize) {
         self.garbage(at);
         self.lost_id(at);
@@ -44,7 +44,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// Tries tokens that can be nothing at all, up to where a record may begin or the line ends.
+    /// Tries pieces that are no records at all. They end where a record may begin or the line ends.
     fn garbage(&mut self, at: usize) {
         let stretch = self.stretch;
         let n = stretch.len();
@@ -101,7 +101,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A record that has all but its ID.
+    /// Tries a record that lacks its ID.
     fn lost_id(&mut self, at: usize) {
         let Some(ty) = self
             .stretch
@@ -135,7 +135,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A token in front of a record; or the ID is two tokens.
+    /// Tries a record with a token too many in front, or with an ID that a space cuts in two.
     fn too_many_in_front(&mut self, at: usize) {
         let Some(ty) = self
             .stretch
@@ -154,7 +154,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A token between the ID and the type; or the type is two tokens.
+    /// Tries a record with a token too many between ID and type, or with a type that a space cuts in two.
     fn too_many_behind_id(&mut self, at: usize, id: u32) {
         let joined =
             faults::joined(self.stretch, at + 1).and_then(|code| RecordType::by_code(code.into()));
@@ -171,7 +171,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A record that is right but for a token too many.
+    /// Offers a record that is right but for the token too many at `stray`.
     fn surplus(&mut self, at: usize, head: &Head, stray: usize, more: u32) {
         let Id::Is(id) = head.id else { return };
         for end in self.right_ends(head) {
@@ -194,7 +194,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A record whose ID can be none.
+    /// Tries a record with a token in the place of the ID that can be no ID.
     fn bad_id(&mut self, at: usize, ty: &'static RecordType) {
         let Some(head) = self.head(Id::Lost, ty, at + 2) else {
             return;
@@ -253,13 +253,13 @@ impl Search<'_, '_> {
                 };
                 let off = MORE_OR_FEWER * end.abs_diff(wanted) as u32 - ONE_IS_LIKELY;
                 let price = FAULT * (1 + bad.min(BAD_MAX)) + real_type + off + doubts;
-                // Its type may be what is wrong.
+                // The way does not name the type, since the type may be the mistake.
                 self.offer((at, end), price, (head.id, None), verdict);
             }
         }
     }
 
-    /// A record whose count is a wrong one.
+    /// Tries a record with a wrong count.
     fn wrong_point_count(&mut self, at: usize, id: u32, ty: &'static RecordType) {
         let stretch = self.stretch;
         let id_price = self.ways.id(id, Some(ty), self.here);
@@ -305,7 +305,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A record whose type is another one with a minus sign.
+    /// Tries a record whose type would be another one with a minus sign.
     fn sign_of_known_type(&mut self, at: usize, id: u32, ty: &'static RecordType) {
         let meant = RecordType::by_code(-i64::from(ty.code)).filter(|t| t.code < 0);
         let Some(head) = meant.and_then(|meant| self.head(Id::Is(id), meant, at + 2)) else {
@@ -328,7 +328,7 @@ impl Search<'_, '_> {
         }
     }
 
-    /// A record whose type is missing or a wrong one.
+    /// Tries a record whose type is missing or wrong.
     fn wrong_type(&mut self, at: usize, id: u32) {
         let stretch = self.stretch;
         let ty = stretch.record_type(at + 1);

@@ -1,8 +1,9 @@
 //! Recovery of a text whose line breaks say nothing of where records begin.
 //!
-//! As in [`layout`](super::layout), all ways to cut it into records and faults compete, and the cheapest one wins.
-//! What speaks for a way are IDs and parameters: [`PartialParses`] knows at each place which IDs are defined on the cheapest
-//! way to it. A fault is a record with one mistake ([`mistakes`]): a number too few or too many, or one that is spoiled.
+//! As in [`layout`](super::layout), all ways to cut the text into records and faults compete, and the cheapest one
+//! wins. IDs and parameters speak for a way: [`PartialParses`] knows at each place which IDs are defined on the
+//! cheapest way to that place. A fault is a record with one mistake ([`mistakes`]): a number too few or too many, or
+//! one that is spoiled.
 
 mod mistakes;
 
@@ -16,21 +17,21 @@ use super::prices::{DOUBTS_MAX, HEAD_WITHIN, HOPELESS, LONE_VOID, OTHER_WAY};
 use super::stretch::Stretch;
 use super::surroundings::Surroundings;
 
-/// Most numbers more or less that are a slip.
+/// The most numbers too many or too few that are a slip.
 const MAX_NUMBERS_OFF: usize = 2;
-/// Most parameters of a record without a count.
+/// The most parameters that a record without a count has.
 const MAX_PARAMS: usize = 18;
-/// Number of places ahead that are looked at for that.
+/// How many tokens ahead are searched for a way that is cheaper by [`HOPELESS`].
 const AHEAD: usize = 20;
 /// How many parameters are looked at to judge whether a record is plausible.
 const PARAMS_MAX: usize = 64;
 
-/// The cheapest way to a token is kept of each of these: with an even number of faults and an odd one, and the same of
-/// lost IDs. What comes behind decides between them.
+/// The bit of a state that is set on a way with an odd number of faults. [`LOST`] is the bit for an odd number of lost
+/// IDs. The cheapest way to a token in each state is kept, and the text behind the token decides between them.
 const FAULTS: usize = 1;
 const LOST: usize = 2;
 
-/// The reading with the least damage.
+/// Returns the pieces of the cheapest reading.
 pub(super) fn cut(stretch: &Stretch, around: &Surroundings) -> Vec<RecordCandidate> {
     let n = stretch.len();
     let mut search = Search {
@@ -125,7 +126,7 @@ struct Offer {
 struct Head {
     id: Id,
     ty: &'static RecordType,
-    /// Number of repeated parameters.
+    /// The value of the count parameter, 0 for a type without one.
     count: u64,
     /// The first of the parameters.
     first: usize,
@@ -181,7 +182,8 @@ impl Search<'_, '_> {
         u32::try_from(id).ok().filter(|&id| id > 0)
     }
 
-    /// A record of a type whose parameters begin at a token; `None` if it is a counted one without its count.
+    /// The head of a record of type `ty` whose parameters begin at token `first`; `None` if a count is needed and
+    /// cannot be used.
     fn head(&self, id: Id, ty: &'static RecordType, first: usize) -> Option<Head> {
         let count = match ty.is_counted() {
             true => heads::point_count(self.stretch, first).ok()?,
@@ -205,7 +207,7 @@ impl Search<'_, '_> {
         [base, base.map(|end| end + group).filter(|_| group > 0)]
     }
 
-    /// The same for a record that is right in form, as far as tokens go that can be nothing.
+    /// Like [`ends`](Self::ends), but only the ends up to which no parameter is a bad token.
     fn right_ends(&self, head: &Head) -> impl Iterator<Item = usize> + use<> {
         self.ends(head)
             .map(|end| {
@@ -216,13 +218,13 @@ impl Search<'_, '_> {
             .flatten()
     }
 
-    /// How many tokens can be no parameters.
+    /// How many of tokens `first..end` are bad tokens, and so no parameters of a record of type `ty`.
     fn bad(&self, ty: &RecordType, first: usize, end: usize) -> u32 {
         let named = faults::file_name(self.stretch, ty, first, end).is_some();
         self.stretch.bad(first, end) - u32::from(named)
     }
 
-    /// The price of doubts about a record that ends at a place, as one that begins at another.
+    /// The price of doubts about the ID and the parameters of a record that begins here and ends at `end`.
     fn doubts(&self, head: &Head, end: usize) -> u32 {
         let id = match head.id {
             Id::Is(id) => self.ways.id(id, Some(head.ty), self.here),
@@ -231,7 +233,7 @@ impl Search<'_, '_> {
         id + self.params(head, end)
     }
 
-    /// The price of doubts about its parameters, of which some may be missing or too many.
+    /// The price of doubts about the parameters of a record, some of which may be missing or too many.
     fn params(&self, head: &Head, end: usize) -> u32 {
         let got = end - head.first;
         let looked_at = got.min(PARAMS_MAX);
@@ -248,7 +250,7 @@ impl Search<'_, '_> {
         } else {
             full
         };
-        // The parameters before the mistake are in their own places, those behind it further on.
+        // The parameters before the mistake are in their own places; those behind it are shifted.
         let (more, fewer) = (got.saturating_sub(wanted), wanted.saturating_sub(got));
         let (mut before, mut behind) = (0, 0);
         for i in more..looked_at {
@@ -290,7 +292,7 @@ impl Search<'_, '_> {
         let Some(head) = self.head(Id::Is(id), r.ty, at + 2) else {
             return;
         };
-        // The optional group is there or not; what follows may have decided wrongly.
+        // Both ways to read the optional group are tried, since a mistake further on may have decided about it.
         for end in self.right_ends(&head) {
             let doubts = self.doubts(&head, end).min(DOUBTS_MAX);
             if end != r.end && faults::wrong_kinds(stretch, r.ty, head.first, end) > 0 {
