@@ -91,6 +91,44 @@ fn a_mirror_without_optics() {
     }
 }
 
+/// A comment that denies a mirror or glass, or tells of another time, calls nothing so.
+#[test]
+fn what_is_no_mirror_or_glass_yet() {
+    for said in [
+        "matná koule, ne sklo",
+        "ne zrcadlo",
+        "(ne zrcadlo)",
+        "žádné sklo",
+        "zadne sklo",
+        "zatím ne skleněná",
+        "není sklo",
+        "bude sklo",
+        "později skleněná",
+        "pak zrcadlo",
+        "byla skleněná",
+        "no mirror",
+        "not a mirror",
+        "not yet glass",
+        "isn't glass",
+        "later glass",
+        "will be glass",
+        "todo: glass",
+    ] {
+        let records = format!("2 11 0 1 0 1 # {said} #\n2 -701 0.9 0.2 0.1");
+        assert!(!has(&scene(&records), Code::W342), "{said}");
+    }
+    let floor = "3 5 -5 -5 5 5 # není podlaha #\n4 11 0 1 0 1\n2 -101 3 4";
+    assert!(!has(&scene(floor), Code::W343));
+    // Of what is denied the index is not proposed.
+    let clear = |said: &str| format!("2 11 0 1 0 1 # {said} #\n2 -201 0 0.1 0.9");
+    assert!(!has(&scene(&clear("ne sklo")), Code::W337));
+    let water = clear("voda, ne sklo");
+    expect(
+        Code::W337,
+        &[(&water, &[&format!("{water}\n2 -203 1.33 1.33 1.33")])],
+    );
+}
+
 #[test]
 fn a_radius_and_a_diameter() {
     for said in ["koule o průměru 2", "a ball 2 across", "diameter 2"] {

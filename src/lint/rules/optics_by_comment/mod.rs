@@ -43,10 +43,9 @@ const LOOKS: [Look; 2] = [
 /// Comments of more words are about something else.
 const MAX_COMMENT_WORDS: usize = 5;
 /// Words by which a comment speaks of something beside a mirror or glass, without accents.
-const BESIDE: [&str; 27] = [
-    "in", "on", "under", "behind", "for", "of", "with", "without", "and", "or", "not", "no",
-    "looking", "like", "v", "ve", "na", "pod", "za", "u", "pro", "bez", "s", "se", "nebo", "neni",
-    "jako",
+const BESIDE: [&str; 24] = [
+    "in", "on", "under", "behind", "for", "of", "with", "without", "and", "or", "looking", "like",
+    "v", "ve", "na", "pod", "za", "u", "pro", "bez", "s", "se", "nebo", "jako",
 ];
 /// Optics have a part from here on, and lack one up to here.
 const LEAST_PART: f64 = 0.5;
@@ -168,7 +167,10 @@ fn look(comment: &str, p: &Params) -> Option<&'static Look> {
         [false, true] => &LOOKS[1],
         _ => return None,
     };
-    if words.len() > MAX_COMMENT_WORDS || words.iter().any(is_beside) {
+    if words.len() > MAX_COMMENT_WORDS
+        || words.iter().any(is_beside)
+        || words::denies(comment)
+    {
         return None;
     }
     let mut shapes = words.iter().filter_map(is_shape);

@@ -4,7 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::syntax::words::plain;
+use crate::syntax::words::{denies, plain};
 
 /// Words for a floor, without accents.
 const FLOOR: [&str; 5] = ["floor", "ground", "podlaha", "podlahy", "zem"];
@@ -55,5 +55,5 @@ fn is_floor(comment: &str) -> bool {
     let words = words.filter(|w| !w.is_empty()).map(plain);
     let words: Vec<String> = words.take(MAX_COMMENT_WORDS + 1).collect();
     let has = |any: &[&str]| words.iter().any(|w| any.contains(&w.as_str()));
-    words.len() <= MAX_COMMENT_WORDS && has(&FLOOR) && !has(&BESIDE)
+    words.len() <= MAX_COMMENT_WORDS && has(&FLOOR) && !has(&BESIDE) && !denies(comment)
 }
