@@ -8,7 +8,7 @@
 //! assignment takes as they are, and for the colours of a texture.
 
 use super::overridden_property::{MAX_PROPOSED, neighbours};
-use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::syntax::Record;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
@@ -43,8 +43,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("taker-id", taker.id.to_string())
             .with("more", Value::Count(more))
             .label(document.span(taker.first, taker.last), "taken");
-        if case == "property" && i < MAX_PROPOSED {
-            finding.fixes = neighbours(context, change);
+        if i < MAX_PROPOSED {
+            finding.fixes = match case {
+                "property" => neighbours(context, change),
+                _ => right_above(context, change, taker),
+            };
         }
         out.push(finding);
     }
@@ -57,6 +60,29 @@ struct Late<'a> {
     taker: &'a Record,
     /// Further changes of the same thing.
     more: u64,
+}
+
+/// The object of the record right above a change, where it has no change of that kind: a guess where it is of that object
+/// below, too, or is defined right above.
+fn right_above(context: &Context, change: &Record, taker: &Record) -> Vec<Fix> {
+    let records = || context.records();
+    let Some(above) = records().take_while(|r| r.first < change.first).last() else {
+        return Vec::new();
+    };
+    if above.id == change.id || above.id == taker.id {
+        return Vec::new();
+    }
+    let below = records().find(|r| r.first > change.first);
+    let is_within = below.is_some_and(|r| r.id == above.id);
+    let above_id = above.id.to_string();
+    let is_above = |fix: &Fix| fix.edits.iter().all(|edit| edit.text == above_id);
+    let mut fixes = neighbours(context, change);
+    fixes.retain(is_above);
+    if is_within {
+        let guess = |fix: &mut Fix| fix.applicability = Applicability::Unsafe;
+        fixes.iter_mut().for_each(guess);
+    }
+    fixes
 }
 
 /// The state of an ID.
