@@ -8,6 +8,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::geometry::array::length;
 use crate::lint::Context;
 use crate::lint::operations::{Proof, Proven};
+use crate::lint::rules::turned_about_origin;
 use crate::lint::spelling::near;
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId};
@@ -55,7 +56,7 @@ fn finding(
     operands: (NodeId, NodeId),
     reason: &Reason,
 ) -> Option<Diagnostic> {
-    let (d, _) = about(context, operation, operands)?;
+    let (d, p) = about(context, operation, operands)?;
     // What is within something that was taken away already may touch what is left.
     let gap = match reason {
         Reason::Within | Reason::Same => return None,
@@ -64,9 +65,24 @@ fn finding(
         Reason::Plane { normal, end, begin } => Some((begin - end) / length(*normal)),
         Reason::Beyond | Reason::Parts => None,
     };
-    Some(match gap {
+    let d = match gap {
         Some(gap) => d.case("gap").with("gap", Value::Decimal(near(gap, gap))),
         None => d,
+    };
+    let turned = turned_first(context, p.span().start, operands);
+    Some(turned.into_iter().fold(d, Diagnostic::fix))
+}
+
+/// The guess that an operand is turned where it is, and then moved, where it meets the other one then.
+fn turned_first(context: &Context, place: u32, (a, b): (NodeId, NodeId)) -> Option<Fix> {
+    let scene = context.scene;
+    [(a, b), (b, a)].into_iter().find_map(|(own, other)| {
+        let swap = turned_about_origin::swap(context, named(scene, own)?.id, place)?;
+        let other = context.bounds()[other as usize].all;
+        let meets =
+            (0..3).all(|i| swap.bounds.min[i] < other.max[i] && other.min[i] < swap.bounds.max[i]);
+        let title = "fix-turn";
+        meets.then_some(Fix { title, ..swap.fix })
     })
 }
 

@@ -2,7 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::geometry::array::{length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
@@ -72,6 +72,45 @@ fn solid(context: &Context, id: u32) -> Option<(&'static str, Aabb)> {
     Some((title, context.bounds()[node].all))
 }
 
+/// A translation and a rotation right behind it, the only transformations of a solid, put into the other order.
+pub(in crate::lint::rules) struct Swap {
+    /// The box of the solid then.
+    pub bounds: Aabb,
+    pub fix: Fix,
+}
+
+/// The other order of a solid's translation and rotation above a place, where it has no others.
+pub(in crate::lint::rules) fn swap(context: &Context, id: u32, place: u32) -> Option<Swap> {
+    let is_own = |r: &&Record| r.id == id && TRANSFORMATIONS.contains(&r.kind);
+    let chain: Vec<&Record> = context.records().filter(is_own).take(3).collect();
+    let [moved, turned] = chain[..] else {
+        return None;
+    };
+    let is_pair = (moved.kind, turned.kind) == (RecordKind::Translation, RecordKind::Rotation);
+    let spans = [moved, turned].map(|r| context.record_params(r).span());
+    if !is_pair || spans[1].end > place {
+        return None;
+    }
+    let (_, bounds) = solid(context, id)?;
+    let [moved, turned] =
+        [moved, turned].map(|r| transformation(&context.record_params(r), &mut Vec::new()));
+    Some(Swap {
+        bounds: bounds.transformed(&moved?.after(&turned?)),
+        fix: swapped(context, spans),
+    })
+}
+
+fn swapped(context: &Context, [one, two]: [Span; 2]) -> Fix {
+    let edits = [(one, two), (two, one)].map(|(span, other)| Edit {
+        span,
+        text: context.text[other.range()].to_owned(),
+    });
+    Fix {
+        applicability: Applicability::Choice,
+        ..Fix::guess("fix", edits.into())
+    }
+}
+
 /// The finding about a solid with a translation and a rotation behind it, and no more.
 fn finding(
     context: &Context,
@@ -101,14 +140,7 @@ fn finding(
         quote(&place.map(|x| near(x, size)).join(" "))
     };
     let [one, two] = [first.span(), second.span()];
-    let edits = [(one, two), (two, one)].map(|(span, other)| Edit {
-        span,
-        text: context.text[other.range()].to_owned(),
-    });
-    let fix = Fix {
-        applicability: Applicability::Choice,
-        ..Fix::guess("fix", edits.into())
-    };
+    let fix = swapped(context, [one, two]);
     Some(
         Diagnostic::new(Code::N609, two)
             .with("type", Value::Term(title))
