@@ -3,8 +3,19 @@
 use super::candidates::LineContext;
 use super::whole::{records, references};
 use crate::analysis::Analysis;
-use crate::diagnostics::{Code, Diagnostic};
-use crate::syntax::table::{Effect, RecordKind};
+use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::syntax::table::{Effect, Family, RecordKind};
+
+/// Whether a shape that an ID is put in front of has errors of its own, such as bounds in the wrong order.
+fn is_wrong(analysis: &Analysis, line: Span, id: u32) -> bool {
+    let source = &analysis.source;
+    let record = &source.text[line.range()];
+    let alone = Analysis::trial(source.with_text(format!("{id} {record}\n")));
+    // That there is no scene is said behind it.
+    let is_own = |span: Span| (span.start as usize) < record.len();
+    let is_shape = records(&alone).any(|r| r.ty().family == Family::Shape);
+    is_shape && alone.errors.iter().any(|&(_, span)| is_own(span))
+}
 
 /// Says of a record whose ID is that of something else in the scene what else is wrong with it.
 pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
@@ -37,7 +48,8 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
             true => None,
             false => place.one_off(),
         };
-        if let Some(told) = told.or_else(|| place.odd_type()) {
+        let other = || is_wrong(analysis, own, id).then(|| place.wrong_count())?;
+        if let Some(told) = told.or_else(|| place.odd_type()).or_else(other) {
             *d = told;
         }
     }
