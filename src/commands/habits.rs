@@ -423,7 +423,9 @@ pub(super) fn translation(word: &Path, scenes: &[PathBuf]) -> Option<Complaint> 
 }
 
 /// Values, as people say them, and what zpg calls them: of `--view`, `--precision` and `--to`.
-const VALUES: [(&str, &str); 24] = [
+const VALUES: [(&str, &str); 26] = [
+    ("cz", "cs"),
+    ("czech", "cs"),
     ("double", "f64"),
     ("single", "f32"),
     ("float", "f32"),

@@ -1,7 +1,7 @@
 //! The words that lead to types of records, and to commands.
 
 /// Words that lead to types, without accents and in lower case, as those of [`words`](crate::syntax::words). They are nobody's guess in a scene.
-pub(super) const WORDS: [(&str, &[i32]); 78] = [
+pub(super) const WORDS: [(&str, &[i32]); 84] = [
     ("indexofrefraction", &[-203]),
     ("krabice", &[12]),
     ("hole", &[-103]),
@@ -53,6 +53,12 @@ pub(super) const WORDS: [(&str, &[i32]); 78] = [
     ("imagemap", &[-301]),
     ("interior", &[-203]),
     ("mesh", &[6, 7, 8]),
+    ("sit", &[6, 7, 8]),
+    ("euler", &[-2, -4]),
+    ("eulerangles", &[-2, -4]),
+    ("backgroundcolor", &[9999]),
+    ("backgroundcolour", &[9999]),
+    ("barvapozadi", &[9999]),
     ("sor", &[1]),
     ("podlaha", &[4]),
     ("ground", &[4]),
@@ -84,7 +90,7 @@ pub(super) const WORDS: [(&str, &[i32]); 78] = [
 
 /// Words of the command line, without accents and in lower case, and the command whose help speaks of them, with the option
 /// that does.
-pub(super) const COMMANDS: [(&str, &[&str]); 12] = [
+pub(super) const COMMANDS: [(&str, &[&str]); 13] = [
     (
         "check",
         &[
@@ -108,6 +114,10 @@ pub(super) const COMMANDS: [(&str, &[&str]); 12] = [
         ],
     ),
     ("fmt", &["format", "zformatovat"]),
+    (
+        "convert --to",
+        &["obj", "ply", "stl", "glb", "gltf", "povray", "mitsuba"],
+    ),
     ("convert", &["convert", "prevest", "prevod"]),
     (
         "render",

@@ -11,7 +11,10 @@ list-clauses = { $first } a { $last }
 here = zde
 guess = (odhad)
 or-fix = nebo { $title }
-fix-on-line = na řádku { $line } { $title }
+fix-on-line = na řádku { $line }{ $clause ->
+    [yes] ,
+   *[no] {""}
+} { $title }
 
 error = chyba
 warning = varování

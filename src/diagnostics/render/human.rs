@@ -385,9 +385,15 @@ impl Printer<'_> {
             .iter()
             .map(|h| wrapped_if(&visible(h), width, ""));
         let with_title = |message, title: String, line: usize| {
+            let clause = if begins_with_clause(&title) {
+                "yes"
+            } else {
+                "no"
+            };
             let values = [
                 ("title", title.into()),
                 ("line", (line + 1).to_string().into()),
+                ("clause", clause.into()),
             ];
             self.look.language.say(message, &values)
         };
@@ -433,6 +439,12 @@ impl Printer<'_> {
             }
         }
     }
+}
+
+/// Whether a title begins with a condition.
+fn begins_with_clause(title: &str) -> bool {
+    let first = title.split(' ').next().unwrap_or_default();
+    matches!(first, "if" | "where" | "pokud") || first.ends_with("-li")
 }
 
 fn severity_colour(severity: Severity) -> Color {
