@@ -6,10 +6,16 @@ use crate::analysis::Analysis;
 use crate::diagnostics::{Code, Diagnostic, Span};
 use crate::syntax::table::{Effect, Family, RecordKind};
 
+/// A longer line is no shape with a comment.
+const MAX_RECORD_BYTES: usize = 1000;
+
 /// Whether a shape that an ID is put in front of has errors of its own, such as bounds in the wrong order.
 fn is_wrong(analysis: &Analysis, line: Span, id: u32) -> bool {
     let source = &analysis.source;
     let record = &source.text[line.range()];
+    if record.len() > MAX_RECORD_BYTES {
+        return false;
+    }
     let alone = Analysis::trial(source.with_text(format!("{id} {record}\n")));
     // That there is no scene is said behind it.
     let is_own = |span: Span| (span.start as usize) < record.len();

@@ -8,7 +8,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::geometry::array::length;
 use crate::lint::Context;
 use crate::lint::operations::{Proof, Proven};
-use crate::lint::rules::turned_about_origin;
+use crate::lint::rules::{overridden_property::MAX_PROPOSED, turned_about_origin};
 use crate::lint::spelling::near;
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId};
@@ -18,11 +18,17 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut proposed = 0;
     for Proven { node, what } in context.proven() {
         if let (Proof::Idle(reason), Node::Difference(a, b)) =
             (what, &context.scene.nodes[*node as usize])
         {
-            out.extend(finding(context, *node, (*a, *b), reason));
+            let found = finding(context, *node, (*a, *b), reason);
+            out.extend(found.map(|d| {
+                proposed += 1;
+                let fix = (proposed <= MAX_PROPOSED).then(|| turned_first(context, &d, (*a, *b)));
+                fix.flatten().into_iter().fold(d, Diagnostic::fix)
+            }));
         }
     }
     let proven: FxHashSet<NodeId> = context.proven().iter().map(|p| p.node).collect();
@@ -56,7 +62,7 @@ fn finding(
     operands: (NodeId, NodeId),
     reason: &Reason,
 ) -> Option<Diagnostic> {
-    let (d, p) = about(context, operation, operands)?;
+    let (d, _) = about(context, operation, operands)?;
     // What is within something that was taken away already may touch what is left.
     let gap = match reason {
         Reason::Within | Reason::Same => return None,
@@ -65,19 +71,17 @@ fn finding(
         Reason::Plane { normal, end, begin } => Some((begin - end) / length(*normal)),
         Reason::Beyond | Reason::Parts => None,
     };
-    let d = match gap {
+    Some(match gap {
         Some(gap) => d.case("gap").with("gap", Value::Decimal(near(gap, gap))),
         None => d,
-    };
-    let turned = turned_first(context, p.span().start, operands);
-    Some(turned.into_iter().fold(d, Diagnostic::fix))
+    })
 }
 
 /// The guess that an operand is turned where it is, and then moved, where it meets the other one then.
-fn turned_first(context: &Context, place: u32, (a, b): (NodeId, NodeId)) -> Option<Fix> {
+fn turned_first(context: &Context, d: &Diagnostic, (a, b): (NodeId, NodeId)) -> Option<Fix> {
     let scene = context.scene;
     [(a, b), (b, a)].into_iter().find_map(|(own, other)| {
-        let swap = turned_about_origin::swap(context, named(scene, own)?.id, place)?;
+        let swap = turned_about_origin::swap(context, named(scene, own)?.id, d.span.start)?;
         let other = context.bounds()[other as usize].all;
         let meets =
             (0..3).all(|i| swap.bounds.min[i] < other.max[i] && other.min[i] < swap.bounds.max[i]);

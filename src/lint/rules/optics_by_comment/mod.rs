@@ -2,6 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::overridden_property::MAX_PROPOSED;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
 use crate::scene::record::Params;
@@ -132,6 +133,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let given = context.with_parts(gives_optics);
+    let mut proposed = 0;
     for &(record, look) in &called.looks {
         if let Some(only) = called.only(record.id) {
             out.extend(other(&context.record_params(only), look));
@@ -144,7 +146,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 _ => None,
             };
             let mut d = none(context, record, colour.as_ref(), look);
-            if let Some(fix) = called.given_to_another(context, record, look) {
+            proposed += 1;
+            if proposed <= MAX_PROPOSED
+                && let Some(fix) = called.given_to_another(context, record, look)
+            {
                 d.fixes.insert(0, fix);
             }
             out.push(d);
