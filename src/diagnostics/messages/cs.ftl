@@ -11,10 +11,8 @@ list-clauses = { $first } a { $last }
 here = zde
 guess = (odhad)
 or-fix = nebo { $title }
-fix-on-line = na řádku { $line }{ $clause ->
-    [yes] ,
-   *[no] {""}
-} { $title }
+fix-on-line = na řádku { $line } { $title }
+fix-on-line-if = na řádku { $line }, { $title }
 
 error = chyba
 warning = varování

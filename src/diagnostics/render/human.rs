@@ -385,15 +385,9 @@ impl Printer<'_> {
             .iter()
             .map(|h| wrapped_if(&visible(h), width, ""));
         let with_title = |message, title: String, line: usize| {
-            let clause = if begins_with_clause(&title) {
-                "yes"
-            } else {
-                "no"
-            };
             let values = [
                 ("title", title.into()),
                 ("line", (line + 1).to_string().into()),
-                ("clause", clause.into()),
             ];
             self.look.language.say(message, &values)
         };
@@ -403,7 +397,11 @@ impl Printer<'_> {
             let title = match fix.edits.first().map(|e| self.line(e.span)) {
                 // What is shown of the finding is not where this is.
                 Some(line) if !self.touches(fix, here) => {
-                    with_title("fix-on-line", title.clone(), line)
+                    let message = match begins_with_clause(title) {
+                        true => "fix-on-line-if",
+                        false => "fix-on-line",
+                    };
+                    with_title(message, title.clone(), line)
                 }
                 _ => title.clone(),
             };
