@@ -717,3 +717,27 @@ fn numbers_of_findings_have_a_comma() {
         "{all}"
     );
 }
+
+/// A condition stands between commas behind the line that a guess is about.
+#[test]
+fn a_guess_with_a_condition_on_another_line() {
+    let scene = "2 4 0 1 0 0\n3 11 0.7 0.3 0.7 2.2\n3 -201 0.05 0.1 0.85\n3 -203 1.5 1.5 1.5\n\
+                 4 -101 2 3\n9 -501 0 0 6 0 0 -1 0 1 0 45\n50 -402 3\n50 -1 3 5 5\n1 9999 4 0\n";
+    let dir = folder(&[("a.zpg", scene)]);
+    for (language, said) in [
+        (
+            "cs",
+            "na řádku 2, je-li první poloměr, napsat `0.3 0.7 2.2 0.7`",
+        ),
+        (
+            "en",
+            "on line 2, if the radius is first, write `0.3 0.7 2.2 0.7`",
+        ),
+    ] {
+        let run = program::zpg(dir.path(), &["check", "a.zpg", "--lang", language]);
+        assert!(text(&run.stdout).contains(said), "{}", text(&run.stdout));
+    }
+    let run = program::zpg(dir.path(), &["check", "a.zpg", "--lang", "cz"]);
+    let said = text(&run.stderr).replace("\n  ", " ");
+    assert!(said.contains("did you mean `cs`?"), "{said}");
+}

@@ -424,8 +424,10 @@ pub(super) fn translation(word: &Path, scenes: &[PathBuf]) -> Option<Complaint> 
     Some(complaint.with("scene", scene.as_path()))
 }
 
-/// Other words for values of `--view`, `--precision` and `--to`, each with the value that zpg has.
-const VALUES: [(&str, &str); 24] = [
+/// Other words for values of `--view`, `--precision`, `--to` and `--lang`, each with the value that zpg has.
+const VALUES: [(&str, &str); 26] = [
+    ("cz", "cs"),
+    ("czech", "cs"),
     ("double", "f64"),
     ("single", "f32"),
     ("float", "f32"),

@@ -392,6 +392,21 @@ pub fn has(text: &str, beginnings: &[&str]) -> bool {
     words.any(|word| beginnings.iter().any(|b| word.starts_with(b)))
 }
 
+/// Words of a comment that says what something is not, or is at another time, without accents.
+const DENIALS: [&str; 54] = [
+    "no", "not", "never", "none", "non", "neither", "nor", "isn", "isnt", "wasn", "wasnt", "won",
+    "wont", "instead", "later", "then", "soon", "yet", "will", "todo", "fixme", "future", "was",
+    "were", "ne", "neni", "nejsou", "nebyl", "nebyla", "nebylo", "nebude", "nikoli", "nikoliv",
+    "nikdy", "ani", "misto", "zadny", "zadna", "zadne", "zadneho", "zatim", "jeste", "bude",
+    "budou", "pozdeji", "pak", "potom", "casem", "priste", "brzy", "driv", "byl", "byla", "bylo",
+];
+
+/// Whether a text has a word of denial or of another time.
+pub fn denies(text: &str) -> bool {
+    let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);
+    words.any(|word| DENIALS.contains(&word.as_str()))
+}
+
 /// A word in lower case, without accents, and without spaces, hyphens, points, colons and quotation marks.
 pub fn plain(word: &str) -> String {
     let letters = word.chars().flat_map(char::to_lowercase);

@@ -1,6 +1,7 @@
 //! What a comment says of a record, and the record says otherwise.
 
-use zpg::internals::diagnostics::{Code, Language};
+use zpg::internals::analysis::repair;
+use zpg::internals::diagnostics::{Code, Language, fixes};
 
 use super::{fixed, guessed, read};
 
@@ -333,4 +334,26 @@ fn the_radius_of_an_opaque_sphere_first() {
             "{numbers}"
         );
     }
+}
+
+/// The radius that makes a glass ball touch the floor is proposed for all that it overlaps, and no overlap is rewritten.
+#[test]
+fn the_radius_of_a_sphere_that_overlaps_two() {
+    let text = |numbers: &str| {
+        scene(&format!(
+            "21 11 -1.5 1 0 1\n22 4 0 1 0 0\n23 11 {numbers}\n23 -201 0.05 0.05 0.9\n\
+             23 -203 1.5 1.5 1.5\n24 -101 21 23\n2 -101 24 22"
+        ))
+    };
+    let (written, meant) = (text("0.6 1.2 0.6 1.8"), text("1.2 0.6 1.8 0.6"));
+    assert!(read(&meant).findings().iter().all(|d| d.code != Code::W307));
+    let all = repair::proposals(&read(&written));
+    let found: Vec<_> = all.iter().filter(|d| d.code == Code::W307).collect();
+    assert_eq!(found.len(), 2);
+    for finding in found {
+        assert_eq!(finding.fixes[0].title, "fix-radius");
+        let made = fixes::apply(&written, finding.fixes[..1].iter()).0;
+        assert_eq!(made, meant);
+    }
+    assert_eq!(fixed(&written), written);
 }

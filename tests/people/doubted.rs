@@ -251,3 +251,32 @@ fn a_coordinate_of_the_place_with_another_sign() {
     );
     assert_eq!(finding.fixes[1].applicability, Applicability::Choice);
 }
+
+/// A box that is moved and then turned about the origin, and a hole where it would be otherwise.
+#[test]
+fn a_hole_beside_what_is_turned_about_the_origin() {
+    let of = |changes: &str| {
+        let balls = "22 11 2.2 1.3 -0.2 0.5\n30 -103 21 22";
+        scene(
+            &format!("21 12 -0.6 0 -0.6 0.6 1.2 0.6\n{changes}\n{balls}"),
+            30,
+        )
+    };
+    let (moved, turned) = ("21 -1 2.2 0 -0.5", "21 -2 45 2");
+    let text = of(&format!("{moved}\n{turned}"));
+    let (finding, made) = guessed(&text, Code::W332);
+    let meant = of(&format!("{turned}\n{moved}"));
+    assert_eq!(made, [meant.clone()]);
+    assert!(is_choice(&finding));
+    assert_eq!(
+        [Language::English, Language::Czech].map(|l| titles(&finding, l)[0].clone()),
+        [
+            "swap the two lines: turn it first, then move it",
+            "prohodit oba řádky: nejdřív otočit, potom posunout"
+        ]
+    );
+    assert!(read(&meant).findings().iter().all(|d| d.code != Code::W332));
+    // They do not meet in the other order either.
+    let (finding, _) = guessed(&text.replace("2.2 0 -0.5", "5 0 -0.5"), Code::W332);
+    assert_eq!(finding.fixes, []);
+}

@@ -1362,3 +1362,42 @@ fn the_corners_of_a_rectangle_stay() {
         }
     }
 }
+
+/// A cone whose ID is the type of a box, which its numbers are no box of: it has a place, and something else uses its ID.
+#[test]
+fn an_id_that_is_a_type() {
+    let text = |cone: &str| {
+        let rest = REST.replace("9999 2", "9999 13");
+        format!("2 11 0 1 0 1\n{cone}12 -701 0.3 0.7 0.2\n13 -101 2 12\n{rest}")
+    };
+    let written = text("12 16 -2 0 1 1.5 0.5 # kužel #\n");
+    let error = first_error(&written);
+    assert_eq!(error.code, Code::E009);
+    let meant = text("12 16 1.5 0.5\n12 -1 -2 0 1 # kužel #\n");
+    assert_eq!(fixed(&written), meant);
+    // A box that is right has lost its ID.
+    let written = text("12 -3 -2 0 -1 1.5 0.5\n");
+    assert_eq!(first_error(&written).code, Code::E005);
+}
+
+/// A colour where its ID belongs: the ID of one with these numbers, whatever its comment says, and 0 for black.
+#[test]
+fn a_background_that_is_a_colour() {
+    let text = |background: &str, above: &str| {
+        let rest = REST.replace("9999 2 0", &format!("9999 4 {background}"));
+        format!(
+            "11 -701 0.2 0.2 0.25 # černá #\n2 11 0 1 0 1\n3 11 2 1 0 0.5\n3 -299 11 0\n\
+             4 -101 2 3\n{}",
+            rest.replace("1 9999", &format!("{above}1 9999"))
+        )
+    };
+    for (written, meant, above) in [
+        ("0 0 0", "0", ""),
+        ("0.2 0.2 0.25", "11", ""),
+        ("0.2 0.2 0.26", "11", ""),
+        ("0.2 0.2 0.4", "51", "51 -701 0.2 0.2 0.4\n"),
+        ("černá", "11", ""),
+    ] {
+        assert_eq!(fixed(&text(written, "")), text(meant, above), "{written}");
+    }
+}

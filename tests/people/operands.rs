@@ -214,3 +214,43 @@ fn an_unused_property_has_its_assignment_said() {
         }
     }
 }
+
+/// A change that comes too late for an operation, in the place of that of the object right above.
+#[test]
+fn a_late_change_under_an_object() {
+    let text = |changes: &str| {
+        scene(&format!(
+            "2 12 -1 0 -1 1 2 1\n3 11 1 2 1 0.8\n4 -103 2 3\n5 14 0.8 0.2\n{changes}6 -101 4 5\n"
+        ))
+    };
+    for (written, meant, is_sure) in [
+        (
+            "2 -1 -2 0.2 0\n5 -701 0.9 0.2 0.1\n",
+            "5 -1 -2 0.2 0\n5 -701 0.9 0.2 0.1\n",
+            true,
+        ),
+        (
+            "5 -1 -2 0.2 0\n2 -701 0.9 0.2 0.1\n",
+            "5 -1 -2 0.2 0\n5 -701 0.9 0.2 0.1\n",
+            false,
+        ),
+    ] {
+        let (finding, made) = guessed(&text(written), Code::W309);
+        assert_eq!(made, [text(meant)]);
+        let said = [Language::English, Language::Czech].map(|l| finding.wording(l).fixes);
+        assert_eq!(
+            said[0],
+            ["if it is meant for the object right above, write `5`"]
+        );
+        assert_eq!(said[1], ["patří-li objektu hned nad ním, napsat `5`"]);
+        assert_eq!(fixed(&text(written)) == text(meant), is_sure);
+    }
+    // The difference itself is right above, or has a move of its own.
+    for changes in [
+        "5 -1 -2 0 0\n2 -1 -2 0.2 0\n",
+        "5 -1 -2 0 0\n5 -701 1 0 0\n2 -1 -2 0.2 0\n",
+    ] {
+        let (finding, _) = guessed(&text(changes), Code::W309);
+        assert_eq!(finding.fixes, [], "{changes}");
+    }
+}

@@ -3,7 +3,7 @@
 
 use zpg::internals::diagnostics::{Code, Language};
 
-use super::{guessed, read};
+use super::{fixed, guessed, read};
 
 const REST: &str = "50 -402 0.8\n50 -1 4 6 5\n9 -501 0 3 9 0 -0.25 -1 0 1 0 40\n1 9999 2 0\n";
 
@@ -90,6 +90,44 @@ fn a_mirror_without_optics() {
     ] {
         assert!(!has(&scene(records), Code::W342), "{records}");
     }
+}
+
+/// A comment that denies a mirror or glass, or tells of another time, calls nothing so.
+#[test]
+fn what_is_no_mirror_or_glass_yet() {
+    for said in [
+        "matná koule, ne sklo",
+        "ne zrcadlo",
+        "(ne zrcadlo)",
+        "žádné sklo",
+        "zadne sklo",
+        "zatím ne skleněná",
+        "není sklo",
+        "bude sklo",
+        "později skleněná",
+        "pak zrcadlo",
+        "byla skleněná",
+        "no mirror",
+        "not a mirror",
+        "not yet glass",
+        "isn't glass",
+        "later glass",
+        "will be glass",
+        "todo: glass",
+    ] {
+        let records = format!("2 11 0 1 0 1 # {said} #\n2 -701 0.9 0.2 0.1");
+        assert!(!has(&scene(&records), Code::W342), "{said}");
+    }
+    let floor = "3 5 -5 -5 5 5 # není podlaha #\n4 11 0 1 0 1\n2 -101 3 4";
+    assert!(!has(&scene(floor), Code::W343));
+    // Of what is denied the index is not proposed.
+    let clear = |said: &str| format!("2 11 0 1 0 1 # {said} #\n2 -201 0 0.1 0.9");
+    assert!(!has(&scene(&clear("ne sklo")), Code::W337));
+    let water = clear("voda, ne sklo");
+    expect(
+        Code::W337,
+        &[(&water, &[&format!("{water}\n2 -203 1.33 1.33 1.33")])],
+    );
 }
 
 #[test]
@@ -323,5 +361,40 @@ fn a_floor_at_another_height() {
         floor("1", "y = 1") + "\n2 -1 0 2 0",
     ] {
         assert!(!has(&scene(&records), Code::W344), "{records}");
+    }
+}
+
+/// Optics right behind a mirror that are given to another object are the mirror's.
+#[test]
+fn optics_of_a_mirror_with_another_id() {
+    let text = |id: u32, said: &str| {
+        scene(&format!(
+            "3 11 -1.5 1 0 1 # {said} #\n3 -701 0.9 0.2 0.1\n4 11 1.5 1 0 1 # zrcadlo #\n\
+             {id} -201 0.1 0.8 0\n2 -101 3 4"
+        ))
+    };
+    let written = text(3, "červená koule");
+    let (finding, made) = guessed(&written, Code::W342);
+    assert_eq!(made[0], text(4, "červená koule"));
+    assert_eq!(finding.wording(Language::English).fixes[0], "write `4`");
+    assert_eq!(finding.wording(Language::Czech).fixes[0], "napsat `4`");
+    assert_eq!(fixed(&written), text(4, "červená koule"));
+    // Both are mirrors.
+    let (_, made) = guessed(&text(3, "zrcadlo"), Code::W342);
+    assert!(made[0].contains("4 -201 0.1 0.85 0\n"));
+}
+
+/// Each record that is to be added is quoted by itself.
+#[test]
+fn two_records_to_be_added() {
+    let (finding, _) = guessed(&scene("2 11 0 1 0 1 # sklo #"), Code::W342);
+    for (language, add) in [(Language::English, "add"), (Language::Czech, "přidat")] {
+        let said = finding.wording(language).fixes;
+        assert_eq!(
+            said,
+            [format!(
+                "{add} `2 -201 0.05 0.1 0.85`, `2 -203 1.5 1.5 1.5`"
+            )]
+        );
     }
 }

@@ -4,8 +4,25 @@
 use super::candidates::LineContext;
 use super::whole::{records, references};
 use crate::analysis::Analysis;
-use crate::diagnostics::{Code, Diagnostic};
-use crate::syntax::table::{Effect, RecordKind};
+use crate::diagnostics::{Code, Diagnostic, Span};
+use crate::syntax::table::{Effect, Family, RecordKind};
+
+/// A longer line is no shape with a comment.
+const MAX_RECORD_BYTES: usize = 1000;
+
+/// Whether a shape that an ID is put in front of has errors of its own, such as bounds in the wrong order.
+fn is_wrong(analysis: &Analysis, line: Span, id: u32) -> bool {
+    let source = &analysis.source;
+    let record = &source.text[line.range()];
+    if record.len() > MAX_RECORD_BYTES {
+        return false;
+    }
+    let alone = Analysis::trial(source.with_text(format!("{id} {record}\n")));
+    // That there is no scene is said behind it.
+    let is_own = |span: Span| (span.start as usize) < record.len();
+    let is_shape = records(&alone).any(|r| r.ty().family == Family::Shape);
+    is_shape && alone.errors.iter().any(|&(_, span)| is_own(span))
+}
 
 /// Replaces the finding that a record has lost its ID, if other records use that ID: the new finding says which number
 /// is wrong.
@@ -40,7 +57,8 @@ pub(super) fn retell(analysis: &Analysis, findings: &mut [Diagnostic]) {
             true => None,
             false => place.one_off(),
         };
-        if let Some(told) = told.or_else(|| place.odd_type()) {
+        let other = || is_wrong(analysis, own, id).then(|| place.wrong_count())?;
+        if let Some(told) = told.or_else(|| place.odd_type()).or_else(other) {
             *d = told;
         }
     }

@@ -46,6 +46,10 @@ fn words_have_pages() {
         ("ořezání", &["-102", "-103", "4"]),
         ("levé oko", &["-503"]),
         ("bodová", &["-402"]),
+        ("síť", &["6", "7", "8"]),
+        ("Euler", &["-2", "-4"]),
+        ("barva pozadí", &["9999"]),
+        ("background colour", &["9999"]),
     ] {
         let page = page(word, Language::English).expect(word);
         assert!(
@@ -117,6 +121,8 @@ fn topics_have_scenes() {
         ("shadow", english, "# shadow", &["-402"]),
         ("stin", czech, "# stín", &["-402"]),
         ("jehlan", czech, "# jehlan", &["-102", "4"]),
+        ("y up", english, "# y up: units", &[]),
+        ("z nahoru", czech, "# z nahoru: jednotky", &[]),
         ("phong", english, "# phong: highlight", &["-201"]),
         ("roughness", english, "# roughness: highlight", &["-201"]),
         ("drsnost", czech, "# drsnost: odlesk", &["-201"]),

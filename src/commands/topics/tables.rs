@@ -2,7 +2,7 @@
 
 /// Words that lead to record types, without accents and in lower case, like those of [`words`](crate::syntax::words).
 /// They are not proposed as types for the words of a scene.
-pub(super) const WORDS: [(&str, &[i32]); 78] = [
+pub(super) const WORDS: [(&str, &[i32]); 84] = [
     ("indexofrefraction", &[-203]),
     ("krabice", &[12]),
     ("hole", &[-103]),
@@ -54,6 +54,12 @@ pub(super) const WORDS: [(&str, &[i32]); 78] = [
     ("imagemap", &[-301]),
     ("interior", &[-203]),
     ("mesh", &[6, 7, 8]),
+    ("sit", &[6, 7, 8]),
+    ("euler", &[-2, -4]),
+    ("eulerangles", &[-2, -4]),
+    ("backgroundcolor", &[9999]),
+    ("backgroundcolour", &[9999]),
+    ("barvapozadi", &[9999]),
     ("sor", &[1]),
     ("podlaha", &[4]),
     ("ground", &[4]),
@@ -85,7 +91,7 @@ pub(super) const WORDS: [(&str, &[i32]); 78] = [
 
 /// Words of the command line, without accents and in lower case. Before them stands the command whose `--help` explains
 /// them, some with the option that does; an empty command is `zpg --help`.
-pub(super) const COMMANDS: [(&str, &[&str]); 12] = [
+pub(super) const COMMANDS: [(&str, &[&str]); 13] = [
     (
         "check",
         &[
@@ -109,6 +115,10 @@ pub(super) const COMMANDS: [(&str, &[&str]); 12] = [
         ],
     ),
     ("fmt", &["format", "zformatovat"]),
+    (
+        "convert --to",
+        &["obj", "ply", "stl", "glb", "gltf", "povray", "mitsuba"],
+    ),
     ("convert", &["convert", "prevest", "prevod"]),
     (
         "render",

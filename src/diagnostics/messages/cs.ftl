@@ -12,6 +12,7 @@ here = zde
 guess = (odhad)
 or-fix = nebo { $title }
 fix-on-line = na řádku { $line } { $title }
+fix-on-line-if = na řádku { $line }, { $title }
 
 error = chyba
 warning = varování

@@ -397,7 +397,11 @@ impl Printer<'_> {
             let title = match fix.edits.first().map(|e| self.line(e.span)) {
                 // What is shown of the finding is not where this is.
                 Some(line) if !self.touches(fix, here) => {
-                    with_title("fix-on-line", title.clone(), line)
+                    let message = match begins_with_clause(title) {
+                        true => "fix-on-line-if",
+                        false => "fix-on-line",
+                    };
+                    with_title(message, title.clone(), line)
                 }
                 _ => title.clone(),
             };
@@ -433,6 +437,12 @@ impl Printer<'_> {
             }
         }
     }
+}
+
+/// Whether a title begins with a condition.
+fn begins_with_clause(title: &str) -> bool {
+    let first = title.split(' ').next().unwrap_or_default();
+    matches!(first, "if" | "where" | "pokud") || first.ends_with("-li")
 }
 
 fn severity_colour(severity: Severity) -> Color {

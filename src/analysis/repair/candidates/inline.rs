@@ -20,7 +20,12 @@ pub(super) const MAX_ID: u32 = i32::MAX as u32;
 struct Inline {
     span: Span,
     numbers: String,
+    /// Whether its name stands there.
+    is_name: bool,
 }
+
+/// Parts of a colour that are the same but for rounding are not further apart.
+const PART_GAP: f64 = 0.02;
 
 const TITLE: &str = "fix-inline";
 
@@ -130,7 +135,12 @@ impl LineContext<'_> {
         if first.kind() == TokenKind::Word {
             let (of, numbers) = self.named_colour(tokens)?;
             let span = first.span().to(tokens[of - 1].span());
-            return Some((of, Inline { span, numbers }));
+            let inline = Inline {
+                span,
+                numbers,
+                is_name: true,
+            };
+            return Some((of, inline));
         }
         let parts = tokens.get(..PARTS)?;
         let is_part = |t: &Token| {
@@ -138,11 +148,12 @@ impl LineContext<'_> {
                 .is_some_and(|x| (0.0..=1.0).contains(&x))
         };
         let span = first.span().to(parts[PARTS - 1].span());
-        let numbers = self.spaced(parts)?;
-        parts
-            .iter()
-            .all(is_part)
-            .then_some((PARTS, Inline { span, numbers }))
+        let inline = Inline {
+            span,
+            numbers: self.spaced(parts)?,
+            is_name: false,
+        };
+        parts.iter().all(is_part).then_some((PARTS, inline))
     }
 
     /// The candidate that writes IDs in the place of colours. A colour without a record gets one above this record,
@@ -153,7 +164,7 @@ impl LineContext<'_> {
         let mut above = String::new();
         let (mut edits, mut new, mut known) = (Vec::new(), Vec::new(), Vec::new());
         for inline in list {
-            let id = match self.colour_id(&inline.numbers) {
+            let id = match self.colour_id(inline) {
                 Some(id) => {
                     known.push(id.to_string());
                     id
@@ -191,9 +202,10 @@ impl LineContext<'_> {
         Some(Candidate::new(Habit::Apart, fix))
     }
 
-    /// The ID of the record that defines a colour: its comment names the colour, or it has the same numbers. An ID with
-    /// other records is left out.
-    fn colour_id(&self, numbers: &str) -> Option<u32> {
+    /// The ID of the record that defines a colour: its comment has the name that is written, or it has the colour's
+    /// numbers. An ID with other records is left out. A black background is 0.
+    fn colour_id(&self, inline: &Inline) -> Option<u32> {
+        let numbers = inline.numbers.as_str();
         let document = &self.analysis.document;
         let captions = Captions::of(document, self.text);
         let values = numbers.split_whitespace().map(str::parse);
@@ -206,18 +218,26 @@ impl LineContext<'_> {
             let name = captions.own(id).and_then(colours::numbers);
             name.as_deref() == Some(numbers)
         };
-        let has_numbers = |id: u32| {
+        let is_background = self.ty().is_some_and(|ty| ty.kind == RecordKind::Render);
+        let black = (is_background && values.iter().all(|&x| x == 0.0)).then_some(0);
+        if !inline.is_name && black.is_some() {
+            return black;
+        }
+        let gap = |id: u32| {
             let written = records().find(|r| r.id == id && r.kind == RecordKind::Colour)?;
             let written = document.params(written).map(|t| t.number(self.text));
-            Some(written.eq(values.iter().map(|&x| Some(x))))
+            let mut gaps = written.zip(&values).map(|(a, &b)| Some((a? - b).abs()));
+            gaps.try_fold(0.0, |most: f64, gap| Some(most.max(gap?)))
         };
         let mut all = defined.iter().copied();
-        let named = all.find(|&id| is_named(id));
-        named.or_else(|| {
-            defined
-                .into_iter()
-                .find(|&id| has_numbers(id) == Some(true))
-        })
+        let named = all.find(|&id| inline.is_name && is_named(id));
+        let near = || {
+            let near = defined.iter().filter_map(|&id| Some((gap(id)?, id)));
+            let near = near.filter(|&(gap, _)| gap <= PART_GAP);
+            let nearest = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
+            Some(nearest.1)
+        };
+        named.or_else(near).or(black)
     }
 
     /// The smallest ID that is larger than all IDs of the file and all that are `used`.

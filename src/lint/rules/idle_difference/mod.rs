@@ -9,6 +9,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::geometry::array::length;
 use crate::lint::Context;
 use crate::lint::operations::{Proof, Proven};
+use crate::lint::rules::{overridden_property::MAX_PROPOSED, turned_about_origin};
 use crate::lint::spelling::near;
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId};
@@ -18,11 +19,17 @@ use crate::syntax::quote;
 use crate::syntax::table::{RecordKind, RecordType};
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
+    let mut proposed = 0;
     for Proven { node, what } in context.proven() {
         if let (Proof::Idle(reason), Node::Difference(a, b)) =
             (what, &context.scene.nodes[*node as usize])
         {
-            out.extend(finding(context, *node, (*a, *b), reason));
+            let found = finding(context, *node, (*a, *b), reason);
+            out.extend(found.map(|d| {
+                proposed += 1;
+                let fix = (proposed <= MAX_PROPOSED).then(|| turned_first(context, &d, (*a, *b)));
+                fix.flatten().into_iter().fold(d, Diagnostic::fix)
+            }));
         }
     }
     let proven: FxHashSet<NodeId> = context.proven().iter().map(|p| p.node).collect();
@@ -69,6 +76,19 @@ fn finding(
     Some(match gap {
         Some(gap) => d.case("gap").with("gap", Value::Decimal(near(gap, gap))),
         None => d,
+    })
+}
+
+/// The guess that an operand is turned before it is moved. `None` if its box then does not meet that of the other operand.
+fn turned_first(context: &Context, d: &Diagnostic, (a, b): (NodeId, NodeId)) -> Option<Fix> {
+    let scene = context.scene;
+    [(a, b), (b, a)].into_iter().find_map(|(own, other)| {
+        let swap = turned_about_origin::swap(context, named(scene, own)?.id, d.span.start)?;
+        let other = context.bounds()[other as usize].all;
+        let meets =
+            (0..3).all(|i| swap.bounds.min[i] < other.max[i] && other.min[i] < swap.bounds.max[i]);
+        let title = "fix-turn";
+        meets.then_some(Fix { title, ..swap.fix })
     })
 }
 

@@ -2,10 +2,11 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::overridden_property::MAX_PROPOSED;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
 use crate::scene::record::Params;
-use crate::syntax::table::{Family, RecordKind};
+use crate::syntax::table::{Family, Kind, RecordKind};
 use crate::syntax::words::{self, plain};
 use crate::syntax::{Record, quote};
 
@@ -43,10 +44,9 @@ const LOOKS: [Look; 2] = [
 /// Comments of more words are about something else.
 const MAX_COMMENT_WORDS: usize = 5;
 /// Words that show that a comment speaks of something beside a mirror or glass, without accents.
-const BESIDE: [&str; 27] = [
-    "in", "on", "under", "behind", "for", "of", "with", "without", "and", "or", "not", "no",
-    "looking", "like", "v", "ve", "na", "pod", "za", "u", "pro", "bez", "s", "se", "nebo", "neni",
-    "jako",
+const BESIDE: [&str; 24] = [
+    "in", "on", "under", "behind", "for", "of", "with", "without", "and", "or", "looking", "like",
+    "v", "ve", "na", "pod", "za", "u", "pro", "bez", "s", "se", "nebo", "jako",
 ];
 /// The least part of the light that counts as present in optics, and the greatest one that counts as missing.
 const LEAST_PART: f64 = 0.5;
@@ -106,6 +106,26 @@ impl<'a> Called<'a> {
             _ => None,
         }
     }
+
+    /// The guess that optics of that look right behind a shape are its own: they are given to another object, which no
+    /// comment calls so.
+    fn given_to_another(&self, context: &Context, shape: &Record, look: &Look) -> Option<Fix> {
+        let mut below = context.records().skip_while(|r| r.first <= shape.first);
+        let optics = below.find(|r| r.id != shape.id)?;
+        let p = context.record_params(optics);
+        let mut entities = context.scene.entities.iter();
+        let other = entities.find(|e| e.id == optics.id)?;
+        let is_another = other.kind == Some(Kind::Object)
+            && other.span.start < p.span().start
+            && !self.looks.iter().any(|(r, _)| r.id == optics.id)
+            && p.own_comments().next().is_none();
+        if optics.kind != RecordKind::Optics || p.number(look.part) < LEAST_PART || !is_another {
+            return None;
+        }
+        let id = shape.id.to_string();
+        let fix = Fix::replace("fix-id", Applicability::Unsafe, p.id_span(), id.clone());
+        Some(fix.with("number", quote(&id)))
+    }
 }
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
@@ -114,6 +134,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let given = context.with_parts(gives_optics);
+    let mut proposed = 0;
     for &(record, look) in &called.looks {
         if let Some(only) = called.only(record.id) {
             out.extend(other(&context.record_params(only), look));
@@ -125,7 +146,14 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 Some(&[only]) => Some(context.record_params(only)),
                 _ => None,
             };
-            out.push(none(context, record, colour.as_ref(), look));
+            let mut d = none(context, record, colour.as_ref(), look);
+            proposed += 1;
+            if proposed <= MAX_PROPOSED
+                && let Some(fix) = called.given_to_another(context, record, look)
+            {
+                d.fixes.insert(0, fix);
+            }
+            out.push(d);
         }
     }
 }
@@ -170,7 +198,7 @@ fn look(comment: &str, p: &Params) -> Option<&'static Look> {
         [false, true] => &LOOKS[1],
         _ => return None,
     };
-    if words.len() > MAX_COMMENT_WORDS || words.iter().any(is_beside) {
+    if words.len() > MAX_COMMENT_WORDS || words.iter().any(is_beside) || words::denies(comment) {
         return None;
     }
     let mut shapes = words.iter().filter_map(is_shape);
@@ -226,6 +254,6 @@ fn none(context: &Context, record: &Record, colour: Option<&Params>, look: &Look
         .map(|l| format!("{} {l}", record.id))
         .collect();
     let added = context.add_behind(span, "fix", Applicability::Choice, &lines);
-    let added = added.with("line", lines.join(", "));
+    let added = added.with("line", format!("`{}`", lines.join("`, `")));
     typed.into_iter().chain([added]).fold(d, Diagnostic::fix)
 }

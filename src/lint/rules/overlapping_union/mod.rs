@@ -69,6 +69,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let pieces: Vec<Option<Pieces>> = pieces.collect();
     let properties = Properties::new(context);
     let floors = Floors::new(context, &unions, &found);
+    let readings = radius::Readings::new(context, &unions, &found);
     let said = parallel::map(found.len(), |i| {
         let found = &found[i];
         let record = &scene.origins[found.union as usize];
@@ -76,7 +77,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let d = finding(&unions, &p, record, found);
         let fix = (pieces[i].as_ref()).and_then(|pieces| pieces.fix(context, &properties, &p));
         let other_sign = floors.fix(&unions, found);
-        let radius = radius::fix(context, &unions, found);
+        let radius = readings.fix(context, &unions, found);
         // With several fixes nobody can tell which one was meant.
         let fix = fix.map(|fix| match other_sign.is_some() || radius.is_some() {
             true => Fix {

@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 
 use super::search::{MIN_REL_DEPTH, Overlap};
 use super::unions::{UnionOperand, Unions};
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::{Context, live_nodes, roots};
 use crate::scene::Node;
@@ -91,16 +91,35 @@ fn distance(point: [f64; 3], other: &Aabb) -> f64 {
     (0..3).map(|i| off(i).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The fix that reads the first number of a sphere, one of two overlapping parts, as its radius. `None` unless wider
-/// space sets that number apart, or the sphere then touches the other part.
-pub(super) fn fix(context: &Context, unions: &Unions, found: &Overlap) -> Option<Fix> {
-    let [one, two] = found.parts.map(|i| &unions.parts[i as usize]);
-    let of = |ball: &UnionOperand, other: &UnionOperand| {
-        let p = sphere(context, ball)?;
-        let is_apart = is_set_apart(&p);
-        (is_apart || touches(context, &p, ball, &other.bounds)).then(|| moved(&p, is_apart))
-    };
-    of(two, one).or_else(|| of(one, two))
+/// The spheres whose first number may be the radius: wider space sets that number apart, or the sphere then touches a
+/// part instead of overlapping it.
+pub(super) struct Readings(FxHashSet<Span>);
+
+impl Readings {
+    pub(super) fn new(context: &Context, unions: &Unions, found: &[Overlap]) -> Readings {
+        let pairs = found.iter().flat_map(|f| {
+            let [one, two] = f.parts.map(|i| &unions.parts[i as usize]);
+            [(one, two), (two, one)]
+        });
+        let spheres = pairs.filter_map(|(ball, other)| {
+            let p = sphere(context, ball)?;
+            let is_one = is_set_apart(&p) || touches(context, &p, ball, &other.bounds);
+            is_one.then(|| p.span())
+        });
+        Readings(spheres.collect())
+    }
+
+    /// The fix that reads the first number of a sphere, one of two overlapping parts, as its radius. `None` if the sphere
+    /// then still overlaps the other part, unless wider space sets that number apart.
+    pub(super) fn fix(&self, context: &Context, unions: &Unions, found: &Overlap) -> Option<Fix> {
+        let [one, two] = found.parts.map(|i| &unions.parts[i as usize]);
+        let of = |ball: &UnionOperand, other: &UnionOperand| {
+            let p = sphere(context, ball).filter(|p| self.0.contains(&p.span()))?;
+            let is_apart = is_set_apart(&p);
+            (is_apart || gap(&p, &other.bounds) >= -MIN_REL_DEPTH).then(|| moved(&p, is_apart))
+        };
+        of(two, one).or_else(|| of(one, two))
+    }
 }
 
 /// The record of a part that is a sphere whose first number may be a radius; `None` for other parts.

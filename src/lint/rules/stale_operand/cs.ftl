@@ -8,6 +8,7 @@ W309 = { $change } objektu { $id } přichází pozdě: { $taker } { $taker-id } 
     .taken = zde se { $id } použije
     .note = operace použije operandy v té podobě, jakou v jejím místě mají
     .help = přesuňte tento záznam před ten, který { $id } používá, nebo změňte { $taker-id } místo { $id }
+    .fix = patří-li objektu hned nad ním, napsat { $number }
 W309-property = { $type } { $id } se mění pozdě: { $taker-id } už používá dřívější podobu{ $more ->
     [0] {""}
     [one] ; totéž platí o { $more } další změně
@@ -18,4 +19,4 @@ W309-property = { $type } { $id } se mění pozdě: { $taker-id } už používá
     .taken = { W309.taken }
     .note = vlastnosti a barvy se přiřazují v té podobě, jakou v místě přiřazení mají
     .help = přesuňte tento záznam před ten, který { $id } používá
-    .fix = patří-li objektu hned nad ním, napsat { $number }
+    .fix = { W309.fix }

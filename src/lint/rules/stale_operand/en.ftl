@@ -7,6 +7,7 @@ W309 = this { $change } of { $id } comes too late for the { $taker } { $taker-id
     .taken = { $id } is taken here
     .note = an operation takes its operands as they are at that point
     .help = move this in front of the { $taker }, or change { $taker-id } in place of { $id }
+    .fix = if it is meant for the object right above, write { $number }
 W309-property = the { $type } { $id } is changed too late: { $taker-id } has taken it as it was{ $more ->
     [0] {""}
     [one] {" "}({ $more } more change likewise)
@@ -16,4 +17,4 @@ W309-property = the { $type } { $id } is changed too late: { $taker-id } has tak
     .taken = { $id } is taken here
     .note = properties and colours are taken as they are at that point
     .help = move this in front of the record that takes { $id }
-    .fix = if it is meant for the object right above, write { $number }
+    .fix = { W309.fix }

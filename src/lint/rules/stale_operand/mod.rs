@@ -7,7 +7,7 @@
 //! properties, which an assignment takes as they are, and for the colours of a texture.
 
 use super::overridden_property::{MAX_PROPOSED, neighbours};
-use crate::diagnostics::{Code, Diagnostic, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::syntax::Record;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
@@ -42,8 +42,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             .with("taker-id", taker.id.to_string())
             .with("more", Value::Count(more))
             .label(document.span(taker.first, taker.last), "taken");
-        if case == "property" && i < MAX_PROPOSED {
-            finding.fixes = neighbours(context, change);
+        if i < MAX_PROPOSED {
+            finding.fixes = match case {
+                "property" => neighbours(context, change),
+                _ => right_above(context, change, taker),
+            };
         }
         out.push(finding);
     }
@@ -56,6 +59,29 @@ struct Late<'a> {
     taker: &'a Record,
     /// The number of further changes of the same ID.
     more: u64,
+}
+
+/// The fixes that give a change to the object of the record right above, if that object has no change of its kind. They
+/// are guesses where the record right below belongs to that object, too; else they are choices.
+fn right_above(context: &Context, change: &Record, taker: &Record) -> Vec<Fix> {
+    let records = || context.records();
+    let Some(above) = records().take_while(|r| r.first < change.first).last() else {
+        return Vec::new();
+    };
+    if above.id == change.id || above.id == taker.id {
+        return Vec::new();
+    }
+    let below = records().find(|r| r.first > change.first);
+    let is_within = below.is_some_and(|r| r.id == above.id);
+    let above_id = above.id.to_string();
+    let is_above = |fix: &Fix| fix.edits.iter().all(|edit| edit.text == above_id);
+    let mut fixes = neighbours(context, change);
+    fixes.retain(is_above);
+    if is_within {
+        let guess = |fix: &mut Fix| fix.applicability = Applicability::Unsafe;
+        fixes.iter_mut().for_each(guess);
+    }
+    fixes
 }
 
 /// The state of an ID while the records are gone over in file order.

@@ -4,7 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::syntax::words::{self, FLOOR, plain};
+use crate::syntax::words::{self, FLOOR, denies, plain};
 
 /// Words that show that a comment speaks of something beside the floor, without accents.
 const BESIDE: [&str; 20] = [
@@ -53,5 +53,8 @@ fn is_floor(comment: &str) -> bool {
     let words = words.filter(|w| !w.is_empty()).map(plain);
     let words: Vec<String> = words.take(MAX_COMMENT_WORDS + 1).collect();
     let has = |any: &[&str]| words.iter().any(|w| any.contains(&w.as_str()));
-    words.len() <= MAX_COMMENT_WORDS && words::has(comment, &FLOOR) && !has(&BESIDE)
+    words.len() <= MAX_COMMENT_WORDS
+        && words::has(comment, &FLOOR)
+        && !has(&BESIDE)
+        && !denies(comment)
 }

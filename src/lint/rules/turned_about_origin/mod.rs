@@ -3,7 +3,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::geometry::array::{length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
@@ -74,6 +74,46 @@ fn solid(context: &Context, id: u32) -> Option<(&'static str, Aabb)> {
     Some((title, context.bounds()[node].all))
 }
 
+/// The exchange of a solid's only transformations, a translation and a rotation right behind it.
+pub(in crate::lint::rules) struct Swap {
+    /// The bounding box of the solid after the exchange.
+    pub bounds: Aabb,
+    pub fix: Fix,
+}
+
+/// The exchange of a solid's translation and rotation that stand above the byte offset `place`. `None` if the solid has
+/// other transformations.
+pub(in crate::lint::rules) fn swap(context: &Context, id: u32, place: u32) -> Option<Swap> {
+    let is_own = |r: &&Record| r.id == id && TRANSFORMATIONS.contains(&r.kind);
+    let chain: Vec<&Record> = context.records().filter(is_own).take(3).collect();
+    let [moved, turned] = chain[..] else {
+        return None;
+    };
+    let is_pair = (moved.kind, turned.kind) == (RecordKind::Translation, RecordKind::Rotation);
+    let spans = [moved, turned].map(|r| context.record_params(r).span());
+    if !is_pair || spans[1].end > place {
+        return None;
+    }
+    let (_, bounds) = solid(context, id)?;
+    let [moved, turned] =
+        [moved, turned].map(|r| transformation(&context.record_params(r), &mut Vec::new()));
+    Some(Swap {
+        bounds: bounds.transformed(&moved?.after(&turned?)),
+        fix: swapped(context, spans),
+    })
+}
+
+fn swapped(context: &Context, [one, two]: [Span; 2]) -> Fix {
+    let edits = [(one, two), (two, one)].map(|(span, other)| Edit {
+        span,
+        text: context.text[other.range()].to_owned(),
+    });
+    Fix {
+        applicability: Applicability::Choice,
+        ..Fix::guess("fix", edits.into())
+    }
+}
+
 /// The finding about a solid with a translation, then a rotation, and no other transformation. `None` for any other
 /// solid, or if the rotation leaves the solid where it is.
 fn finding(
@@ -104,14 +144,7 @@ fn finding(
         quote(&place.map(|x| near(x, size)).join(" "))
     };
     let [one, two] = [first.span(), second.span()];
-    let edits = [(one, two), (two, one)].map(|(span, other)| Edit {
-        span,
-        text: context.text[other.range()].to_owned(),
-    });
-    let fix = Fix {
-        applicability: Applicability::Choice,
-        ..Fix::guess("fix", edits.into())
-    };
+    let fix = swapped(context, [one, two]);
     Some(
         Diagnostic::new(Code::N609, two)
             .with("type", Value::Term(title))

@@ -72,8 +72,10 @@ pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Di
             let lines = comments.get(&id).map_or("", String::as_str);
             [captions.get(id).unwrap_or_default(), lines].join(" ")
         };
-        let words = [of(record.id), of(object.id)].join(" ");
-        if let Some(place) = SUBSTANCES.iter().position(|s| words::has(&words, s.names)) {
+        let said = [of(record.id), of(object.id)].join(",");
+        let clauses = || said.split([',', ';', '#']).filter(|c| !words::denies(c));
+        let is_said = |s: &Substance| clauses().any(|clause| words::has(clause, s.names));
+        if let Some(place) = SUBSTANCES.iter().position(is_said) {
             objects[place].push((object, record));
         }
     }
