@@ -181,6 +181,7 @@ codes! {
     N607 "rotation-in-radians" of rule "rotation_in_radians";
     N608 "beside-picture" of rule "beside_picture";
     N609 "turned-about-origin" of rule "turned_about_origin";
+    N610 "among-others" of rule "among_others";
     S501 "notation-separator" of rule "notation_separator";
     S502 "bare-comment" of rule "bare_comment";
     S503 "several-records-per-line" of rule "several_records_per_line";
