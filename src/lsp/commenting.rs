@@ -54,7 +54,7 @@ pub(super) fn comment(ask: &Ask, p: CommentParams) -> Result<Vec<TextEdit>, Refu
     Ok(convert.text_edits(&edits))
 }
 
-/// The action that comments out or in the lines of a selection; `None` where nothing stands.
+/// The action that comments out or in the lines of a selection; `None` if the lines are blank.
 pub(super) fn action(ask: &Ask, convert: &Convert, range: Range) -> Option<CodeAction> {
     let analysis = convert.file.analysis();
     let span = convert.places.span(range);
