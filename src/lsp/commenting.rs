@@ -1,4 +1,5 @@
-//! Commenting out and in: a request of its own for the keys of editors, and a code action for editors without such keys.
+//! Commenting out and in: a request of its own for the keys of editors, and a code action for editors without such
+//! keys.
 
 use gen_lsp_types::{
     CodeAction, LspRequestMethod, MessageDirection, Range, Request, TextDocumentIdentifier,
