@@ -95,7 +95,7 @@ pub fn either(names: impl IntoIterator<Item = String>) -> Option<Value> {
     })
 }
 
-/// Words of the source, as [`Complaint::term`] takes them.
+/// Makes a complaint of words of the source; see [`Complaint::term`].
 impl From<&'static str> for Complaint {
     fn from(words: &'static str) -> Complaint {
         Complaint::term(words)

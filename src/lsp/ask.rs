@@ -29,7 +29,7 @@ pub(super) struct Ask {
     pub tokens_sent: Arc<TokensSent>,
     pub told: Arc<Told>,
     pub changes: Changes,
-    /// Set when the client does not want the answer any more.
+    /// Whether the client does not want the answer any more.
     pub cancelled: Arc<AtomicBool>,
 }
 

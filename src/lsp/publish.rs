@@ -39,7 +39,7 @@ fn publish(client: &Client, outgoing: &Outgoing, news: &Receiver<News>) {
         for (uri, file) in latest {
             let version = file.as_ref().and_then(|f| f.version);
             let find = || file.map_or_else(Vec::new, |f| Convert::new(&f, client).diagnostics());
-            // A mistake of ours leaves the last diagnostics standing; its message is on standard error.
+            // If the check panics, the last diagnostics stay; the message of the panic is on standard error.
             let Ok(diagnostics) = catch_unwind(AssertUnwindSafe(find)) else {
                 continue;
             };

@@ -369,7 +369,7 @@ fn action_of(convert: &Convert, shown: &[Diagnostic], action: actions::Action) -
     }
 }
 
-/// `codeAction/resolve`: the action comes back as it was sent, with its edit added.
+/// `codeAction/resolve`: the client sends an action back, and gets the same action with its edit.
 enum ResolveAction {}
 
 impl Request for ResolveAction {

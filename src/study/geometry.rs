@@ -27,7 +27,7 @@ pub struct VisiblePoint {
     /// Whether the surface bounds a solid. The normal of a surface without an inside may point to either side.
     pub is_of_solid: bool,
     pub distance: f64,
-    /// The shape, by the number that [`crate::trace::Crossing`] has.
+    /// The shape's number, as [`crate::trace::Crossing`] has it.
     pub shape: u32,
     pub object: u32,
 }

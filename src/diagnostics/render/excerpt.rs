@@ -176,10 +176,10 @@ fn digits(number: usize) -> usize {
     number.checked_ilog10().unwrap_or(0) as usize + 1
 }
 
-/// The margin before the text on a line of ariadne's.
+/// The margin before the text on a line of ariadne's output.
 struct Margin<'a> {
     text: String,
-    /// Escape sequences, and how many characters of the margin are before each.
+    /// The escape sequences, each with the number of the margin's characters before it.
     colours: Vec<(usize, &'a str)>,
     rest: &'a str,
 }
@@ -221,7 +221,7 @@ fn line(file: &SourceFile, number: usize) -> Span {
     Span::new(start, end)
 }
 
-/// The part of a line that is shown, given the offset that matters in it.
+/// The part of a line that is shown, around an offset in it.
 fn window(file: &SourceFile, number: usize, at: u32) -> Span {
     let whole = line(file, number);
     if file.slice(whole).chars().nth(WHOLE_LINE).is_none() {

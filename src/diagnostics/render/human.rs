@@ -381,7 +381,7 @@ impl Printer<'_> {
         self.look.colour.then_some(colour)
     }
 
-    /// The help, and the proposals of the fixes, of which one is to be chosen.
+    /// The help, and the proposals of the fixes. The reader is to choose one of the proposals.
     fn helps(&self, d: &Diagnostic, words: &Wording, width: Option<usize>) -> Vec<String> {
         let help = words
             .help
@@ -482,7 +482,7 @@ fn fixed_lines(file: &SourceFile, fix: &Fix) -> Vec<String> {
         .collect()
 }
 
-/// The sources of a report's sections, each of its own. A section is named by its number between marks.
+/// Gives ariadne a source for each section of a report. A section is named by its number between marks.
 struct Sections<'a>(&'a [(usize, Excerpt)]);
 
 impl Cache<usize> for Sections<'_> {

@@ -51,7 +51,7 @@ pub fn order(tiles: &[Tile], seen: &[Option<VisibleObject>]) -> Vec<(usize, [u32
     shuffle(&mut edges, 1);
     shuffle(&mut others, 2);
     let mut random = Random::new(3);
-    // If there are few pixels at edges, the rest of the others follows.
+    // Once all pixels of one list are taken, the rest of the other list follows.
     let mut all = Vec::new();
     let (mut edges, mut others) = (edges.into_iter().peekable(), others.into_iter().peekable());
     while edges.peek().is_some() || others.peek().is_some() {

@@ -170,7 +170,7 @@ impl Default for Settings {
     }
 }
 
-/// A choice of all settings, of which only that of the axis differs from the default.
+/// A choice of all settings: that of the axis is varied, the others are the default's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Configuration {
     pub axis: Axis,

@@ -117,7 +117,8 @@ pub fn compare(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]], all: bool) 
     }
 }
 
-/// The mean of FLIP over tiles. Equal tiles are skipped: they are the most in most configurations.
+/// The mean of FLIP over tiles. Equal tiles are skipped: most tiles of most configurations equal those of the
+/// reference.
 fn flip(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]]) -> f64 {
     let bytes =
         |pixels: &[Rgb]| -> Vec<u8> { pixels.iter().flatten().map(|&x| srgb8(x as f32)).collect() };

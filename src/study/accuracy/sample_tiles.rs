@@ -32,7 +32,7 @@ impl Tile {
 
 /// Chooses the tiles of a picture that are measured. However many of the first tiles are used, they are spread evenly.
 ///
-/// Each block of 32 × 32 pixels has 16 tiles, of which `share` are chosen. A small picture is measured as a whole.
+/// A block of 32 × 32 pixels has 16 tiles; `share` of them are chosen. A small picture is measured as a whole.
 pub fn chosen([width, height]: [u32; 2], share: usize) -> Vec<Tile> {
     let whole = u64::from(width) * u64::from(height) <= WHOLE;
     let per_block = (BLOCK / TILE).pow(2) as usize;

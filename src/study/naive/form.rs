@@ -177,7 +177,7 @@ impl<T: Number> NaiveShape<T> {
                 };
                 let (p, r) = ([o[0], o[1], o[2], one], [d[0], d[1], d[2], zero]);
                 let (a, b, c) = (times(r, r), times(p, r) + times(r, p), times(p, p));
-                // The sign far back on the line.
+                // The sign of the form far back on the line tells whether the line comes from inside.
                 roots.inside = match () {
                     () if a.abs() >= T::TINY => a < zero,
                     () if b.abs() >= T::TINY => b > zero,

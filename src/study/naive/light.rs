@@ -21,7 +21,7 @@ pub struct Lens<T> {
 }
 
 impl<T: Number> Lens<T> {
-    /// `None` where the projection has no inverse.
+    /// The camera of a picture of this size; `None` if its projection has no inverse.
     pub fn new(camera: &Camera, width: u32, height: u32) -> Option<Lens<T>> {
         let position = vector(camera.position);
         let forward = unit(vector::<T>(camera.direction));
@@ -217,7 +217,7 @@ impl<'s, T: Number> Scenery<'s, T> {
     }
 }
 
-/// A branch of light still to be followed.
+/// A ray whose light is still to be followed.
 struct Branch<T> {
     ray: Ray<T>,
     from: T,

@@ -3,8 +3,8 @@
 //! within which a ray does not see the surface it leaves.
 //!
 //! In `f32` and `f64` the tracer shows what these shortcuts do to hard scenes. In [`Wide`] numbers of 71 digits they do
-//! no harm, and the colours are the reference. It follows every ray of a pixel, from the camera record on, and shares
-//! with the main tracer only the resolved scene, the decoded pictures of its textures and, of
+//! no harm, and the colours are the reference. The tracer follows every ray of a pixel, from the camera record on, and
+//! shares with the main tracer only the resolved scene, the decoded pictures of its textures and, of
 //! [`geometry`](crate::geometry), matrices and arrays.
 
 pub mod boxes;

@@ -287,7 +287,8 @@ impl<T: Number> Trail<T> {
             _ => true,
         };
         if operation == Operation::Union {
-            // The operand whose medium lies on each side. The event of the first operand is preferred.
+            // For each side of the place, the operand that holds the medium there. The event of the first operand is
+            // preferred.
             let holder = |s: (Option<u32>, Option<u32>)| match s {
                 (Some(_), _) => Some(0),
                 (None, Some(_)) => Some(1),
@@ -340,8 +341,8 @@ impl<T: Number> Trail<T> {
 pub enum Operation {
     Union,
     Intersection,
-    /// A face made by the cut looks like what is cut.
+    /// A difference in which a face that the cut makes has the look of the solid that is cut.
     Difference,
-    /// A face made by the cut looks like what cuts.
+    /// A difference in which a face that the cut makes has the look of the solid that cuts.
     Removal,
 }

@@ -71,7 +71,7 @@ struct Walker<'a, T> {
 pub fn fits(tracer: &Tracer, scene: &Scene) -> Result<(), &'static str> {
     let graph = &tracer.graph;
     let mut depths = vec![0u32; graph.objects.len()];
-    // Objects come after those that they are made of.
+    // The objects of the graph come after the objects that they are made of.
     for (i, object) in graph.objects.iter().enumerate() {
         let deepest = |parts: &mut dyn Iterator<Item = u32>| {
             let of = |part: u32| match graph.parts[part as usize].target {
@@ -259,7 +259,7 @@ impl<'a, T: Number> Walker<'a, T> {
         });
     }
 
-    /// The number of a part's frame, and its look together with what is given above it.
+    /// Returns the frame of a part, and its look: the properties given above the part, and its own paint for the rest.
     fn placed(&mut self, context: u32, part: &graph::Part) -> (u32, GivenProperties) {
         let above = self.contexts[context as usize];
         let coat = &self.graph.paints[part.paint as usize];

@@ -45,7 +45,8 @@ impl Run<'_> {
                 self.drop_rung(i);
                 continue;
             }
-            // Depths and cutoffs end one configuration after the first that draws the same picture as another one.
+            // On the axes of depth and cutoff, everything is dropped after the first configuration beyond the default
+            // that draws the same picture as an earlier one.
             if let Some((axis, same)) = last
                 && axis == configuration.axis
                 && matches!(axis, Axis::Depth | Axis::Cutoff)

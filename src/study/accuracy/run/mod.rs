@@ -130,7 +130,7 @@ struct Run<'i> {
     weights: Vec<f64>,
 }
 
-/// Studies a scene.
+/// Studies a scene within a budget. `name` is the scene's name in the report.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! The pictures side by side.
+//! The pictures of a report: a small copy of the whole, and parts that are drawn with two settings side by side.
 
 use super::{PICTURES, Run};
 use crate::diagnostics::Error;

@@ -87,7 +87,7 @@ impl Sample {
     }
 }
 
-/// The least time of each tile: what disturbs a run disturbs few of its tiles.
+/// The least time of each tile in several runs: a disturbance of a run hits few of its tiles. `None` without runs.
 pub(super) fn least(times: &[Timed]) -> Option<Vec<f64>> {
     let mut least = times.first()?.tiles.clone();
     for run in &times[1..] {
