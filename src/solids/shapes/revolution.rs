@@ -50,7 +50,7 @@ impl Facts for Revolution<'_> {
         let indices = 0..profile.len();
         let i = indices.max_by(|&i, &j| far(&profile[i]).total_cmp(&far(&profile[j])))?;
         let [x, y] = profile[i];
-        // Half-way between the two pieces that meet there.
+        // The way inwards is halfway between the two pieces that meet at the point.
         let [a, b] = profile::neighbours(profile, i).map(|q| circle::unit([q[0] - x, q[1] - y]));
         let [out, _, side] = circle::towards(d, 1.0, 0.0);
         Some(Support {
