@@ -197,7 +197,8 @@ impl<R: Traced> Line<R> {
     }
 
     /// Whether the maps into this space may have moved the point of the line at `t` by more than `roundoffs` unit
-    /// roundoffs of the distance from the origin of this space: the distance of the point, or of the line's origin.
+    /// roundoffs of the distance of the point, or of the line's origin if that is larger, from the origin of this
+    /// space.
     #[inline]
     pub fn is_blurred_at(&self, t: R, roundoffs: f64) -> bool {
         if self.slack.direction == R::ZERO {

@@ -46,8 +46,8 @@ pub trait Real:
     fn mul_add(self, a: Self, b: Self) -> Self;
     fn is_finite(self) -> bool;
 
-    /// Whether the sum of two numbers is known to be exact. Doubles always answer no: what they cannot tell is decided
-    /// in double-double.
+    /// Whether the sum of two numbers is known to be exact. Only double-doubles know it: what doubles cannot tell is
+    /// decided there.
     #[inline]
     fn adds_exactly(self, _other: Self) -> bool {
         false
@@ -63,7 +63,7 @@ pub trait Real:
         Self::ONE / self
     }
 
-    /// The lesser of two numbers; the other one where one is NaN.
+    /// The lesser of two numbers. If one of them is NaN, the other one.
     #[inline]
     fn min(self, other: Self) -> Self {
         if other < self || self.is_nan() {
@@ -73,7 +73,7 @@ pub trait Real:
         }
     }
 
-    /// The greater of two numbers; the other one where one is NaN.
+    /// The greater of two numbers. If one of them is NaN, the other one.
     #[inline]
     fn max(self, other: Self) -> Self {
         if other > self || self.is_nan() {

@@ -3,7 +3,7 @@
 use super::model::*;
 use crate::syntax::table::Kind;
 
-/// The parts of an optical property; what is not given stays the default.
+/// The parts of an optical property. A part that is not given keeps its default.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct OpticsParts {
     pub optics: Option<Optics>,

@@ -108,7 +108,7 @@ impl<'a> Params<'a> {
     }
 
     fn token(&self, i: usize) -> Option<&'a Token> {
-        // Where nothing stands between the tokens, each is in its place.
+        // In a record without comments or line breaks inside, the place of each token is known.
         let dense = self.record.last - self.record.first == self.record.params + 1;
         match dense {
             true if i < self.len() => {

@@ -12,8 +12,8 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Label, Span, Valu
 use crate::syntax::table::{Effect, Family, Kind, ParamKind, RecordType};
 use crate::syntax::{self, Document, Item};
 
-/// How many defined IDs are compared with undefined ones, in all, to propose an ID. In a large file only the first
-/// errors get a proposal.
+/// The number of defined IDs that are compared with undefined ones, in all, to propose an ID. In a large file only the
+/// first errors get a proposal.
 const COMPARISONS_MAX: usize = 2_000_000;
 
 /// A record that lost its ID.
@@ -44,7 +44,7 @@ pub(super) struct References {
     definition: Option<FxHashMap<u32, (Span, Option<Kind>)>>,
     pub lost: Vec<Lost>,
     dangling: Vec<Dangling>,
-    /// How many defined IDs may still be compared.
+    /// The number of comparisons with defined IDs that are left.
     comparisons: usize,
 }
 

@@ -64,8 +64,8 @@ pub fn judge(q: &[f64; 16]) -> QuadricSet {
 fn lowest(mut s: ExactQuadric) -> Option<(i32, u32)> {
     let mut left = vec![0usize, 1, 2];
     let mut rank = 0;
-    // Every number is a minor of the form: it has the product of the squares completed so far as a
-    // factor, all of which are positive (Bareiss 1968).
+    // Every number is a minor of the form (Bareiss 1968): a number of the rest of the form times the product of the
+    // coefficients of the completed squares, all of which are positive.
     let mut before = IBig::ONE;
     while let Some(at) = left.iter().position(|&i| sign(&s[i][i]) > 0) {
         // Completing the square in this variable.

@@ -1,4 +1,4 @@
-//! How far things reach: out of a volume, and from a point.
+//! The distances by which things reach out of a volume, and from a point.
 
 use super::distance;
 use super::leaf::Leaf;

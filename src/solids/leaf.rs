@@ -12,7 +12,7 @@ pub struct Leaf {
     pub node: NodeId,
     /// Index into the scene's shapes; `None` for a part that is known as a whole.
     pub shape: Option<u32>,
-    /// The ID by which the shape is written where it occurs: its own or that of a copy.
+    /// The ID under which the shape is written where it occurs: its own or that of a copy.
     pub id: u32,
     /// The map from the shape's coordinates into those of the root.
     pub matrix: Matrix,

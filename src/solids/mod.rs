@@ -41,7 +41,7 @@ pub fn distance(p: Vec3, q: Vec3) -> f64 {
 pub struct Named {
     /// The name of the node's kind, a term of the messages.
     pub title: &'static str,
-    /// The ID by which it is written where it occurs: its own or that of a copy.
+    /// The ID under which the node is written where it occurs: its own or that of a copy.
     pub id: u32,
     pub span: Span,
 }

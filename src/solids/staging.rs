@@ -13,8 +13,8 @@ const FRAMING_FACTOR: f64 = 1.05;
 /// Intensities of the automatic lights: together no more than white.
 const AMBIENT: f64 = 0.2;
 const LAMP: f64 = 0.8;
-/// Place of the automatic lamp, seen from the middle of the scene: so many degrees to the left of the camera, so many
-/// above the horizontal, so many radii of the scene away.
+/// The place of the automatic lamp, seen from the middle of the scene: degrees to the left of the camera, degrees above
+/// the horizontal, and the distance in radii of the scene.
 const LAMP_LEFT: f64 = 70.0;
 const LAMP_HEIGHT: f64 = 45.0;
 const LAMP_RADII: f64 = 10.0;

@@ -340,8 +340,8 @@ impl Tree {
         }
     }
 
-    /// The value of the root without the place, if the value of the place decides that of the root. `None` if it does
-    /// not, or this is not known.
+    /// The value of the root if the place has the value false, provided that the place decides the value of the root.
+    /// `None` if it does not, or this is not known.
     pub fn decides(&self, place: u32, answers: &[(u32, Answer)]) -> Answer {
         let end = self.places[place as usize].end;
         let before = answers.partition_point(|a| a.0 < place);

@@ -34,7 +34,7 @@ struct Filed {
     on_border: bool,
     face: u32,
     at: f64,
-    /// How large the numbers are that the face is made of.
+    /// The size of the numbers that make up the face.
     magnitude: f64,
 }
 

@@ -146,7 +146,7 @@ struct Search<'a> {
     scene: &'a Scene,
     tree: &'a Tree,
     points: Points<'a>,
-    /// The contacts found so far.
+    /// The keys of the contacts that have been found.
     done: FxHashSet<Done>,
 }
 

@@ -34,11 +34,12 @@ pub trait Facts {
 /// The traits of a shape that do not depend on a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Character {
-    /// Whether the shape is a solid of revolution about the y axis.
+    /// Whether the shape is a solid of revolution about the y axis, or would be one if it were moved and scaled, as
+    /// spheres and ellipsoids would.
     pub is_round: bool,
-    /// Whether the shape is a flat surface, and the same all over.
+    /// Whether the shape is a flat surface without shading normals.
     pub is_flat: bool,
-    /// Whether the shape is one quadric, whatever its numbers.
+    /// Whether the shape is a quadric, general or named. Spheres, ellipsoids and cones do not count.
     pub is_quadric: bool,
     /// Whether the shape has shading normals of its own.
     pub is_smooth: bool,
