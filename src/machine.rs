@@ -51,7 +51,7 @@ mod with_fma {
     }
 }
 
-/// The build that runs on every machine of its kind.
+/// The build that runs on every processor of its architecture.
 #[cfg(not(all(target_arch = "x86_64", target_feature = "fma")))]
 mod without_fma {
     /// Always succeeds: this build runs on every processor. Where a faster build lies beside it and can run, that one

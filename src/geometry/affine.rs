@@ -25,7 +25,7 @@ pub struct Affine<R = f64> {
     plain: [bool; 3],
     /// The greatest of the sums Σⱼ|mᵢⱼ|: an upper bound on the factor by which the largest component of a vector grows.
     spread: R,
-    /// Whether the map does nothing but move.
+    /// Whether the map is a translation.
     moves: bool,
 }
 
@@ -234,7 +234,7 @@ impl<R: Real> Affine<R> {
             rows[c] = Vec3(inverse[i]);
         }
         let linear = Affine::of(rows, Vec3::ZERO);
-        // Zero has no sign here, lest −0 turn up as an origin.
+        // The subtraction from zero avoids −0, which might turn up as an origin.
         let offset = linear.vector(self.offset).map(|x| R::ZERO - x);
         let finite = offset.is_finite() && rows.iter().all(|row| row.is_finite());
         finite.then(|| Affine::of(rows, offset))

@@ -1,4 +1,4 @@
-//! The little algebra of plain arrays that a scene's geometry needs: a function of every element, vectors of doubles.
+//! Vector algebra on plain arrays of doubles, as far as a scene's geometry needs it, and a function of every element.
 
 /// Applies a function to every element. `[T; N]::map` and `array::from_fn` compute the same, but are inlined only where
 /// the compiler has put them into the codegen unit of their caller. An empty array does not compile.

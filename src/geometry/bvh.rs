@@ -9,8 +9,8 @@ use std::ops::ControlFlow;
 const LEAF: usize = 4;
 /// The number of bins of the surface area heuristic.
 const BINS: usize = 16;
-/// Numbers of boxes whose two halves are built on two threads. More boxes would take too much memory while their nodes
-/// are put together.
+/// The numbers of boxes for which the two halves are built on two threads. With more boxes, their nodes would take too
+/// much memory while they are put together.
 const SHARED: std::ops::RangeInclusive<usize> = 1024..=131_072;
 
 #[derive(Debug, Clone, Copy)]

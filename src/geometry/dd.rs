@@ -203,7 +203,7 @@ impl Real for Dd {
     #[inline]
     fn sqrt(self) -> Dd {
         let root = self.high.sqrt();
-        // Zeros, infinities and NaN are their own answers.
+        // For zero, infinity and NaN the root in doubles is the answer.
         if root == 0.0 || !root.is_finite() {
             return Dd::from(root);
         }

@@ -11,9 +11,8 @@ use super::number::Real;
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// The sum of its parts, each at most half a unit in the last place of the one before. An infinite
-/// or undefined number is its first part alone. The exponents are those of doubles, so what reaches
-/// below about 1e-290 loses digits.
+/// The sum of its parts, each at most half a unit in the last place of the one before. An infinite or undefined number
+/// is its first part alone. The exponents are those of doubles, so digits below about 1e-290 are lost.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Qd([f64; PARTS]);
 
@@ -132,7 +131,7 @@ impl Div for Qd {
             rest -= other.times(quotient[i - 1]);
             let next = rest.0[0] / other.0[0];
             if !next.is_finite() {
-                // The greatest numbers, rounded up.
+                // The greatest numbers, whose product with the quotient is rounded up to infinity.
                 return Qd::of(first);
             }
             quotient[i] = next;
@@ -212,7 +211,7 @@ impl Real for Qd {
     /// by 2⁵⁰.
     fn sqrt(self) -> Qd {
         let root = self.0[0].sqrt();
-        // Zeros, infinities and NaN are their own answers.
+        // For zero, infinity and NaN the root in doubles is the answer.
         if root == 0.0 || !root.is_finite() {
             return Qd::of(root);
         }

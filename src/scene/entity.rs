@@ -30,7 +30,7 @@ pub(super) enum State {
     Stored,
 }
 
-// A large scene has millions of them.
+// A large scene has millions of these values.
 const _: () = assert!(size_of::<State>() == 8);
 
 /// The values of all entities that are not objects.

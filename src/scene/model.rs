@@ -171,7 +171,7 @@ pub struct Shape {
     pub geometry: Geometry,
 }
 
-// A large scene has millions of them.
+// A large scene has millions of these values.
 const _: () = assert!(size_of::<Shape>() <= 64);
 
 impl Shape {
@@ -395,7 +395,7 @@ pub struct Entity {
     pub span: Span,
 }
 
-// A large scene has millions of them.
+// A large scene has millions of these values.
 const _: () = assert!(size_of::<Entity>() == 20);
 
 impl Entity {

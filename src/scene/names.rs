@@ -50,7 +50,7 @@ impl Names {
     }
 }
 
-/// The IDs that a record refers to, without those that are 0.
+/// The IDs to which a record refers. A reference that is 0 names none.
 pub fn references<'d>(
     document: &'d Document,
     record: &'d Record,

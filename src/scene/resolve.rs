@@ -90,7 +90,7 @@ pub(super) struct Resolver<'a> {
     /// For each node, whether an operation, a complement, a copy or a bounding volume uses it.
     pub(super) taken: Vec<bool>,
     pub(super) references: References,
-    /// The render record, once its references can be followed.
+    /// The render record, whose references are followed at the end of the file.
     render: Option<Record>,
     has_render: bool,
     /// The last camera selection.
@@ -152,7 +152,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Adds an entity, and changes what its ID stands for from now on.
+    /// Adds an entity, and sets the state of its ID from now on.
     fn push(&mut self, entity: Entity, state: State) {
         self.set_state(entity.id, state);
         self.references

@@ -218,7 +218,7 @@ fn numbers(text: &str) -> impl Iterator<Item = f64> {
     words.filter_map(|word| word.parse().ok())
 }
 
-/// Beginnings of words for a radius and a diameter, without accents.
+/// Beginnings of words for a radius, without accents; [`DIAMETER`] has those for a diameter.
 const RADIUS: [&str; 3] = ["radius", "radii", "polomer"];
 const DIAMETER: [&str; 3] = ["diameter", "prumer", "across"];
 

@@ -5,7 +5,7 @@ use super::model::{Node, NodeId, Scene};
 use crate::geometry::Matrix;
 
 impl Node {
-    /// Whether the node is a later state of the object that its child is: one that is moved or painted.
+    /// Whether the node is a later state of its child's object: the child moved or painted.
     pub fn is_change(self) -> bool {
         matches!(self, Node::Transform { .. } | Node::Paint { .. })
     }
@@ -112,7 +112,7 @@ impl Scene {
         uses
     }
 
-    /// The nodes that a root is made of, parents before their children.
+    /// The root and all its parts, parents before their children.
     pub fn below(&self, root: NodeId) -> impl Iterator<Item = (NodeId, Node)> {
         let uses = self.uses(root);
         let nodes = (0..=root).rev().zip(self.up_to(root).iter().rev());

@@ -3,7 +3,7 @@
 /// The mark for no place in a tree.
 pub const NONE: u32 = u32::MAX;
 
-/// The heavy path that a place is on: from each parent to its largest child.
+/// The heavy path on which a place is. Heavy paths go from each parent to its largest child.
 #[derive(Debug, Clone, Copy)]
 struct HeavyPath {
     /// The highest place of the path.

@@ -18,7 +18,7 @@ pub struct Inside<'a> {
     /// Inverses of the scene's matrices, made when they are first needed.
     inverses: Vec<Option<Matrix>>,
     left: usize,
-    /// Room for [`node`](Self::node), kept from one point to the next.
+    /// Buffers of [`node`](Self::node), kept from one point to the next.
     tasks: Vec<Task>,
     answers: Vec<Option<bool>>,
 }

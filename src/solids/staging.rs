@@ -8,7 +8,7 @@ use std::borrow::Cow;
 
 /// The vertical field of view of the automatic camera, in degrees.
 const AUTOMATIC_FOVY: f64 = 45.0;
-/// Factor by which the bounding sphere is seen as if it were larger.
+/// The factor by which the bounding sphere is enlarged for framing, so that a margin is left around it.
 const FRAMING_FACTOR: f64 = 1.05;
 /// Intensities of the automatic lights: together no more than white.
 const AMBIENT: f64 = 0.2;
@@ -22,7 +22,7 @@ const LAMP_RADII: f64 = 10.0;
 /// The choice of the camera.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Viewpoint {
-    /// The cameras that the render record chooses; without any, the automatic one.
+    /// The cameras of the scene's own view; without any, the automatic one.
     #[default]
     Scene,
     /// The camera of this number in [`Scene::cameras`].
@@ -64,8 +64,8 @@ const ISOMETRIC: f64 = 35.264_389_682_754_654;
 /// The angles of the automatic camera, as in [`Side::angles`]: an object shows its front, its right side and its top.
 const AUTOMATIC: [f64; 2] = [30.0, 25.0];
 
-/// The scene as it is drawn, with the camera that takes the picture and with light: what it lacks is added, under
-/// ID 0. `aspect` is the picture's width by its height.
+/// The scene as it is drawn, with the camera that takes the picture and with light. A camera or lights that the scene
+/// lacks are added, under ID 0. `aspect` is the picture's width divided by its height.
 ///
 /// A scene without a camera gets one that looks from 30° to the right of the front and 25° above the horizontal. A
 /// scene without any light gets an ambient light of 0.2 and a lamp of 0.8, above the camera and to its left.
@@ -167,7 +167,7 @@ fn camera_around(centre: Vec3, radius: f64, angles: [f64; 2], aspect: f64) -> Ca
     }
 }
 
-/// The camera of a scene that has none. `aspect` is width by height.
+/// The camera of a scene that has none. `aspect` is the picture's width divided by its height.
 pub fn automatic_camera(scene: &Scene, bounds: &[NodeBounds], aspect: f64) -> Camera {
     let (centre, radius) = middle(&seen_box(scene, bounds));
     camera_around(centre, radius, AUTOMATIC, aspect)
@@ -209,8 +209,8 @@ pub fn centre(scene: &Scene, bounds: &[NodeBounds]) -> Vec3 {
     middle(&seen_box(scene, bounds)).0
 }
 
-/// The box that the automatic camera frames: the render record's, else that of the bounded parts
-/// of the scene. Finite; empty where nothing is bounded.
+/// The box that the automatic camera frames: the region of the render record, else the box of the bounded parts of what
+/// is drawn. The box is finite, and empty where nothing is bounded or drawn.
 pub fn seen_box(scene: &Scene, bounds: &[NodeBounds]) -> Aabb {
     match &scene.render {
         Some(render) => match render.clip {

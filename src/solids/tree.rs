@@ -278,7 +278,7 @@ impl Tree {
         }
     }
 
-    /// The copy by whose ID a place is known within an operation that it is part of.
+    /// The ID of the copy by which a place is known within an operation that it is part of. `None` if there is none.
     pub fn copy_within(&self, place: u32, operation: u32) -> Option<u32> {
         let (id, depth) = self.places[place as usize].copy?;
         (depth > self.places[operation as usize].depth).then_some(id)

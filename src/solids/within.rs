@@ -123,7 +123,7 @@ struct Ball {
 }
 
 impl Ball {
-    /// A ball that holds all of a shape and is hardly larger.
+    /// A ball that holds all of a shape and is hardly larger. `None` for shapes that are no balls.
     fn around(geometry: &Geometry, m: &Matrix) -> Option<Ball> {
         let facts::Ball {
             centre,
@@ -141,7 +141,7 @@ impl Ball {
         Some(Ball { unit, slack })
     }
 
-    /// A ball that a shape holds, and that is hardly smaller.
+    /// A ball that a shape holds, and that is hardly smaller. `None` for shapes that are no balls.
     fn within(geometry: &Geometry, m: &Matrix) -> Option<Ball> {
         let mut ball = Ball::around(geometry, m)?;
         let held = geometry.ball()?.held;

@@ -208,7 +208,7 @@ impl Faces<'_> {
             part,
             form: FaceShape::Round {
                 anchor: self.m.point(anchor),
-                // Volumes grow by the determinant.
+                // The map stretches volumes by the determinant, and lengths by its cube root on average.
                 scale: scale * self.m.determinant3().abs().cbrt(),
                 class,
             },

@@ -1,4 +1,4 @@
-//! Faces in one place: faces of two operands that the boundary of an operation's result has to choose between.
+//! Faces in one place: faces of two operands, of which the boundary of the operation's result can have only one.
 
 pub mod directions;
 pub mod face;

@@ -21,7 +21,7 @@ const PAIRS: usize = 500_000;
 /// Cost of finding the operation that joins two shapes, in steps.
 const JOIN_COST: usize = 8;
 
-/// Most faces in one plane that are compared one by one.
+/// The most faces in one plane that are compared one by one; for more an index is made.
 const MAX_FACES_COMPARED_SINGLY: usize = 16;
 
 type Cell = [i16; 3];
@@ -30,7 +30,7 @@ type Cell = [i16; 3];
 #[derive(Clone, Copy)]
 struct Filed {
     cell: Cell,
-    /// Whether a neighbour may be in another cell.
+    /// Whether a face in the same plane may be in another cell.
     on_border: bool,
     face: u32,
     at: f64,
@@ -69,7 +69,7 @@ struct SortedFace {
     at: f64,
     face: u32,
     leaf: u32,
-    /// Whether a neighbour may be in another cell.
+    /// Whether a face in the same plane may be in another cell.
     on_border: bool,
     flat: bool,
     /// Whether the face is one of the shape's own: see [`Face::own`].
@@ -118,7 +118,7 @@ struct Run {
     high: f64,
     start: usize,
     end: usize,
-    /// Index of the entries from `start` on, made when it is first needed.
+    /// The index of the faces from `start` on, made when it is first needed.
     index: Option<Box<Boxes>>,
 }
 

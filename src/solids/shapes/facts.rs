@@ -50,7 +50,7 @@ pub struct Character {
 }
 
 impl Character {
-    /// A shape like any other.
+    /// The character of a shape without any of these traits.
     pub const PLAIN: Character = Character {
         is_round: false,
         is_flat: false,

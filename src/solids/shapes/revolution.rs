@@ -14,8 +14,8 @@ pub struct Revolution<'a> {
     pub colours: &'a [Rgb],
 }
 
-/// Most points of a profile that is examined point by point. A longer one is bounded before it is moved, to keep the
-/// work linear, and has no hull.
+/// The most points of a profile that is examined point by point. For a longer profile the box is made before the shape
+/// is moved, to keep the work linear, and there is no hull.
 pub const MAX_EXAMINED_POINTS: usize = 64;
 
 impl Facts for Revolution<'_> {
