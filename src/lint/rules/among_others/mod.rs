@@ -1,4 +1,4 @@
-//! N610: a property or a transformation of an object that stands among the records of another object, which has none of
+//! N610: a property, a rotation or a scaling of an object that stands among the records of another object, which has none of
 //! its kind.
 
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -17,14 +17,13 @@ const LEAST_LETTERS: usize = 4;
 type Changes = u8;
 const LOOK: Changes = 1;
 const PARTS: Changes = 2;
-const MOVE: Changes = 4;
-const TURN: Changes = 8;
-const SCALE: Changes = 16;
+const TURN: Changes = 4;
+const SCALE: Changes = 8;
 
+/// The changes that a record makes, but for translations: W336 speaks of those.
 fn changes(kind: RecordKind) -> Changes {
     match kind {
         RecordKind::Assignment => LOOK | PARTS,
-        RecordKind::Translation => MOVE,
         RecordKind::Rotation | RecordKind::RotationMatrix => TURN,
         RecordKind::Scaling => SCALE,
         kind if TEXTURES_AND_COLOURS.contains(&kind) => LOOK,
@@ -46,12 +45,13 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if context.has_broken() {
         return;
     }
-    let mut given: FxHashMap<u32, Changes> = FxHashMap::default();
-    let mut counts: FxHashMap<(u32, Changes), usize> = FxHashMap::default();
+    // For each ID the changes that it has, and those that it has more than once.
+    let mut given: FxHashMap<u32, [Changes; 2]> = FxHashMap::default();
     for record in context.records() {
         let changes = changes(record.kind);
-        *given.entry(record.id).or_default() |= changes;
-        *counts.entry((record.id, changes)).or_default() += 1;
+        let [once, again] = given.entry(record.id).or_default();
+        *again |= *once & changes;
+        *once |= changes;
     }
     let mut objects: FxHashMap<u32, &Record> = FxHashMap::default();
     let mut used: FxHashSet<u32> = FxHashSet::default();
@@ -76,14 +76,16 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         let is_stray = changes != 0
             && objects.contains_key(&record.id)
             && !used.contains(&record.id)
-            && given[&above.id] & changes == 0
-            // Of what is given twice other rules speak.
-            && counts[&(record.id, changes)] == 1;
+            && given[&above.id][0] & changes == 0
+            // Other rules speak of what is given twice.
+            && given[&record.id][1] & changes == 0;
         if !is_stray {
             other = None;
             continue;
         }
-        let is_within = records.peek().is_some_and(|next| next.id == above.id);
+        // Between two changes of the other object, or a turn of a ball, which is hardly meant.
+        let is_within = records.peek().is_some_and(|next| next.id == above.id)
+            && (grouped.contains(&above.id) || changes == TURN && is_ball(objects[&record.id]));
         strays.push(Stray {
             record,
             other: above,
@@ -97,14 +99,17 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
 }
 
+fn is_ball(record: &Record) -> bool {
+    let (ball, at_origin) = (ShapeKind::Sphere, ShapeKind::SphereAtOrigin);
+    [ball, at_origin]
+        .map(RecordKind::Shape)
+        .contains(&record.kind)
+}
+
 /// Whether the record rather belongs to the object that it names: something separates it from the records above, a comment
 /// says so, or it would do nothing to the other object. Of a mirror without optics W342 speaks.
 fn is_meant(context: &Context, stray: &Stray, own: &Record) -> bool {
     let changes = changes(stray.record.kind);
-    let is_ball = matches!(
-        stray.other.kind,
-        RecordKind::Shape(ShapeKind::Sphere | ShapeKind::SphereAtOrigin)
-    );
     let p = context.record_params(stray.record);
     let above = context.text[..p.span().start as usize].trim_end();
     let has_heading = above.ends_with('#') && {
@@ -117,7 +122,7 @@ fn is_meant(context: &Context, stray: &Stray, own: &Record) -> bool {
         > 1;
     has_heading
         || has_gap
-        || is_ball && changes == TURN
+        || is_ball(stray.other) && changes == TURN
         || changes == PARTS && optics_by_comment::calls(context, stray.other)
         || p.own_comments()
             .any(|said| names(context, said, own, stray.other))
