@@ -58,7 +58,6 @@ pub fn resolve_with(
         values: Values::default(),
         taken: Vec::with_capacity(records),
         references: References::new(compares),
-        render: None,
         has_render: false,
         selection: None,
         late: Vec::new(),
@@ -90,8 +89,6 @@ pub(super) struct Resolver<'a> {
     /// For each node, whether an operation, a complement, a copy or a bounding volume uses it.
     pub(super) taken: Vec<bool>,
     pub(super) references: References,
-    /// The render record, whose references are followed at the end of the file.
-    render: Option<Record>,
     has_render: bool,
     /// The last camera selection.
     selection: Option<Record>,
@@ -249,7 +246,6 @@ impl<'a> Resolver<'a> {
         self.late.push(*record);
         if p.ty.kind == RecordKind::Render {
             self.has_render = true;
-            self.render = Some(*record);
             Some(State::Render)
         } else {
             self.selection = Some(*record);
