@@ -93,7 +93,7 @@ fn at_least_one(text: &str) -> Result<u32, Complaint> {
     })
 }
 
-/// Writes the job, and says so. `command` is the command line of the whole program.
+/// Runs `zpg farm`: writes the job's folder and prints a summary. `command` is clap's definition of the whole program.
 pub fn run(args: &Args, command: Command, look: LookChoice) -> Status {
     let configs = Configs::default().into();
     let found = paths::expand(&args.paths, &configs, look);

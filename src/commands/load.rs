@@ -9,7 +9,7 @@ use crate::analysis::{Analysis, repair};
 use crate::diagnostics::{Code, Complaint, Diagnostic, Error, Severity, SourceFile, Span};
 use crate::translate::json;
 
-/// The part that a command needs of a scene without errors.
+/// What a command needs in a scene, besides that the scene has no errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
     /// A render record, since the command draws something.

@@ -58,7 +58,7 @@ impl<'a> Context<'a> {
         Some(ids.max()? + 1).filter(|&id| id <= LARGEST)
     }
 
-    /// For each ID the title of the record that defines it, by which messages name the ID.
+    /// For each ID, the title of the record that defines it. Messages call the object by this title.
     pub fn titles(&self) -> FxHashMap<u32, &'static str> {
         let mut titles = FxHashMap::default();
         for record in self.records() {

@@ -16,7 +16,8 @@ pub(super) struct TokensSent(Mutex<Sent>);
 struct Sent {
     /// The name of the next result.
     next: u64,
-    /// The open files, each with its last result. Nothing is kept about other files, which are never closed.
+    /// The last result sent for each open file; `None` before the first. Files that are not open get no entry, since no
+    /// `didClose` would ever remove it.
     files: HashMap<Uri, Option<Named>>,
 }
 

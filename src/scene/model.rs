@@ -88,7 +88,8 @@ pub enum Node {
         /// Index into [`Scene::paints`].
         paint: u32,
     },
-    /// The entity `id`, which is a copy of the child. What the copied entity owned belongs to `id` in the copy.
+    /// A copy of the child under the ID `id`. Wherever the copied entity is the [`owner`](Paint::owner) of properties,
+    /// `id` is the owner in the copy.
     Copy {
         /// The node that is copied.
         child: NodeId,

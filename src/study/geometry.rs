@@ -80,9 +80,10 @@ pub fn seen(
 
 /// The share of the scene's size by which positions on exact shapes may differ.
 const EXACT: f64 = 1e-4;
-/// The distance, in sizes of the scene, beyond which positions may differ by a share of the distance instead. This
-/// share, `EXACT / FAR_SIZES`, is 28 units of single precision (2^-23): a point is transformed, met and transformed
-/// back, with some operations each way.
+/// The distance from the eye, in sizes of the scene, beyond which the allowed difference of positions grows with the
+/// distance. Nearer points may differ by [`EXACT`] times the scene's size; farther ones by `EXACT / FAR_SIZES` times
+/// their distance. That is 28 units of single precision (2^-23), room for the rounding when a ray is transformed,
+/// intersected, and its hit is transformed back.
 const FAR_SIZES: f64 = 30.0;
 /// The share of the distance at which endless shapes are cut off beyond which nothing is compared: a neighbouring pixel
 /// may show the cut.

@@ -66,7 +66,7 @@ pub fn colour(written: &str) -> Option<[u8; 3]> {
         .or_else(|| named(&meant(&word)?))
 }
 
-/// Red, green and blue of a word that is a name with every letter right.
+/// The red, green and blue of a colour's name. Unlike in [`colour`], no letter may be wrong.
 pub fn exact(word: &str) -> Option<[u8; 3]> {
     named(&plain(word))
 }

@@ -306,7 +306,7 @@ fn is_pov_ray(line: &str) -> bool {
 
 /// The kind of JSON that a text is, as the case of the finding: `scene-json` or `json`. `None` for any other text.
 fn json(text: &str) -> Option<&'static str> {
-    /// The members of every scene in JSON.
+    /// The members that every scene in JSON has.
     #[derive(Deserialize)]
     struct Scene {
         #[serde(rename = "version")]

@@ -16,7 +16,7 @@
 use super::stats::Cost;
 use crate::geometry::vec::Vec3;
 
-/// The number of samples of a batch, and of a pixel that needs only one batch.
+/// The number of samples in a batch. Every pixel takes at least one batch.
 pub const BATCH_SAMPLES: u32 = 4;
 /// The fewest samples of any other pixel: four batches, since fewer say little about their scatter.
 pub const MIN_SAMPLES: u32 = 4 * BATCH_SAMPLES;

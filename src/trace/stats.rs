@@ -54,7 +54,7 @@ work! {
     channel_split,
     /// Surface coordinates for a texture.
     uv,
-    /// Colours from pictures.
+    /// Colours looked up in image files.
     image_texture,
     /// Colours from solid textures.
     solid_texture,

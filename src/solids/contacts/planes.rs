@@ -216,10 +216,10 @@ impl<'a> Planes<'a> {
         }
     }
 
-    /// The pairs among the faces of one group that may lie in one another. Flat faces look against each other in one
-    /// plane, round ones have one key, and the outlines overlap. The faces are of different leaves, which a difference
-    /// or an intersection joins. The pairs are sorted by the later leaf, then by the earlier one, which is mostly the
-    /// workpiece.
+    /// Finds the pairs of faces of one group that may coincide: two flat faces in one plane that look against each
+    /// other, or two round faces with the same key, in both cases with overlapping outlines. The two faces belong to
+    /// different leaves, and the operation that joins the leaves is a difference or an intersection. Sorted by the
+    /// later leaf, then by the earlier one. The earlier one is usually what a difference cuts from.
     pub(super) fn pairs(&mut self, faces: &[Face]) -> Vec<Meeting> {
         let mut out = Vec::new();
         if self.steps > 0 && self.pairs > 0 {

@@ -28,7 +28,8 @@ impl Bounds {
         )
     }
 
-    /// The bounds, wider on each side by a billionth of the larger coordinate of the axis.
+    /// The bounds, widened along each axis on both sides by a billionth of the larger absolute value of the two bounds
+    /// on that axis.
     fn padded(&self) -> Bounds {
         let pad = |i: usize| 1e-9 * self.0[i].abs().max(self.1[i].abs()).max(1e-300);
         Bounds(

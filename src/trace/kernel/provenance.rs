@@ -105,7 +105,8 @@ fn face_at(leaf: &Leaf, face: u32, point: Vec3) -> u32 {
     }
 }
 
-/// The face of a box, given by its corners, that is nearest to a point on the box.
+/// The number of the face nearest to `point` of the box with these lower and upper corners: twice the axis, plus 1 for
+/// the upper face.
 fn nearest_face(corners: [[f64; 3]; 2], point: Vec3) -> u32 {
     let distance = |face: &u32| {
         let axis = *face as usize / 2;

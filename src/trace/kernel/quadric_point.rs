@@ -123,8 +123,8 @@ pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Opt
     })
 }
 
-/// Divides vectors by a power of two, at least `least`, so that the largest component is below 2. Returns the vectors
-/// and the powers.
+/// Divides each of the vectors by a power of two of its own, but by no less than `least`, so that no component reaches
+/// 2 in size. Returns the vectors and the divisors.
 #[inline(always)]
 fn normalised(v: V3, least: f64) -> (V3, Lanes) {
     let exponent = v.abs().max_component() & Lanes::splat(f64::INFINITY);

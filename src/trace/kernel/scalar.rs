@@ -35,7 +35,8 @@ pub enum Raw {
 }
 
 impl Stage<'_> {
-    /// Takes a line into the space at the end of a chain of placements.
+    /// Maps a line from the scene's space into the space of the leaf below all placements of a chain. `chain` is an
+    /// index into `self.chains`.
     #[inline]
     pub fn line_through(&self, line: &Line, chain: u32) -> Line {
         let placements = &self.graph.placements;

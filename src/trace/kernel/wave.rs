@@ -100,7 +100,7 @@ pub struct Tile {
     doubtful: Vec<Ray>,
     /// The arbiter's answer about one doubtful ray.
     answer: Vec<Vec3>,
-    /// Blocks that the rays of a wave may meet, if the rays go nearly the same way.
+    /// The blocks that some ray of the wave may meet. Used only for waves whose rays are nearly parallel.
     pub(super) along: Along,
     /// Places of the wave that lamps may shine on.
     pub(super) lit: Vec<Lit>,

@@ -107,8 +107,8 @@ pub(in crate::trace) enum Task {
     Object {
         context: u32,
     },
-    /// Goes on with operand `part` of an intersection, unless an operand before it was empty. `base` is the number of
-    /// lists below those of the intersection.
+    /// Continues an intersection with operand `part`, unless an earlier operand was empty. The intersection's lists
+    /// start at index `base` of the stack [`Spans::lists`].
     Operand {
         part: u32,
         context: u32,

@@ -48,7 +48,7 @@ impl Outline {
         }
     }
 
-    /// The outline around a shape that may be smaller.
+    /// An outline that contains the shape and may be larger than it.
     pub fn around(form: Form) -> Outline {
         Outline {
             form,

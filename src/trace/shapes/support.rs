@@ -103,8 +103,9 @@ impl Support {
     }
 
     /// The image of the support under a map, and a bound on the error of its numbers; `off` is the bound before the
-    /// map. `None` if the map is not simple. For a level, a map is simple if one new coordinate depends on the old one
-    /// alone; for a curved support, if it is a translation; for other planes, never.
+    /// map. `None` if the map is not simple. A map is simple for a level if some coordinate of the image depends only on
+    /// the coordinate that is constant on the level; for a curved support, if it is a translation; for any other plane,
+    /// never.
     pub fn moved(self, map: &Matrix, off: f64) -> Option<(Support, f64)> {
         let rows = &map.0;
         let rounded = |size: f64| f64::EPSILON * size;

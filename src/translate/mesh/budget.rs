@@ -29,7 +29,7 @@ pub struct Budget {
 /// The error of a mesh with too many triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum TooMany {
-    /// A mesh that needs at least `needed` triangles, of which `most` may be made.
+    /// The mesh needs at least `needed` triangles; the limit is `most`.
     Made { needed: f64, most: u64 },
     /// Too many overlapping solids to join: how many they are, and the ID of a shape that is one of them.
     Joined { solids: usize, shape: u32 },

@@ -31,7 +31,8 @@ pub(super) struct Failed;
 /// place. The value is half a million roundings, and a ten-millionth of the default tolerance.
 const THINNEST: f64 = 1e-10;
 
-/// A triangle's label, as `boolmesh` carries it at each corner. A point between corners of one label has this label.
+/// A triangle's label, which `boolmesh` carries and interpolates as an attribute of each corner. `Add` and `Mul` are
+/// such that interpolating between corners with the same label gives that label.
 #[derive(Debug, Clone, PartialEq, Default)]
 struct Tag(u32);
 

@@ -182,9 +182,10 @@ fn view(camera: &Camera, extent: &Extent) -> Option<(Value, [f64; 16])> {
         .then_some((seen, matrix))
 }
 
-/// A light in glTF, in candela. At the middle of the scene it is as bright as the scene's light, which does not fade:
-/// glTF lights fade with the squared distance, and a surface sends a π-th of the light that it receives in each
-/// direction. `None` for a dark light, and for numbers that are not finite.
+/// A point light as glTF JSON, its intensity in candela. The scene's lights do not fade with distance; glTF's fade with
+/// its square. The intensity is chosen so that both are equally bright at the middle of the scene: multiplied by the
+/// squared distance, and by π, since a diffuse surface in glTF reflects 1/π of its irradiance in each direction. `None`
+/// if the light is dark or a number is not finite.
 fn lamp(light: &PointLight, extent: &Extent) -> Option<Value> {
     let distance =
         length(sub(light.position, extent.region.centre())).max(MIN_LIGHT_RADII * extent.radius);

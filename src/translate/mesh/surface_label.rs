@@ -15,7 +15,8 @@ const SAME_FACING_COSINES: [f64; 2] = [0.9, 0.5];
 /// The most faces near a point that are looked at.
 const MAX_FACES_EXAMINED: usize = 8;
 
-/// A texture, and the map from the coordinates in which it was given to the label's present coordinates.
+/// The texture of a surface. `matrix` maps from the coordinates in which the texture is defined to those in which the
+/// mesh stands now.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Texturing {
     pub texture: u32,

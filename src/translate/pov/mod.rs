@@ -101,7 +101,7 @@ pub struct Translation {
 /// POV-Ray's own limit on `max_trace_level`.
 const MAX_TRACE_LEVEL: u32 = 256;
 
-/// Translates a scene. `bounds` has the bounds of each node.
+/// Translates a scene to a POV-Ray file. `bounds` holds the bounds of each node of `scene`.
 ///
 /// # Errors
 /// A part of the scene has no translation.

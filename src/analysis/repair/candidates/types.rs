@@ -92,7 +92,7 @@ impl LineContext<'_> {
         }
     }
 
-    /// Whether the record is a cone with the numbers of two circles, each with centre and radius.
+    /// Whether the record is a cone with eight parameters, as many as the centres and radii of two circles.
     pub(super) fn is_cone_of_circles(&self) -> bool {
         let is_cone = |ty: &RecordType| ty.kind == RecordKind::Shape(ShapeKind::Cone);
         self.ty().is_some_and(is_cone) && self.params().len() == CONE

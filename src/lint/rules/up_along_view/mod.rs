@@ -74,7 +74,8 @@ fn upright(camera: &Camera, p: &Params) -> Option<Fix> {
     )
 }
 
-/// The note on a camera whose up vector is another axis than y where the scene stands on a floor across the y axis.
+/// The note on a camera whose up vector points along another axis than +y, although the scene stands on a floor
+/// perpendicular to the y axis.
 fn turned(context: &Context, camera: &Camera, p: &Params) -> Option<Diagnostic> {
     let render = context.scene.render?;
     let written: [Vec3; 2] = [p.numbers(3), p.numbers(6)];

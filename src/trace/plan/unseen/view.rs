@@ -437,8 +437,8 @@ struct Met {
     holds: [bool; PLACES],
 }
 
-/// Whether a shape without inside has a point on it, give or take a distance along one of the axes. `back` leads into
-/// the coordinates of the shape.
+/// Whether `point` is on a shape that encloses nothing, give or take `around` along one of the axes. `back` maps from
+/// the scene's coordinates to the shape's.
 fn is_on_sheet(shape: &Primitive, back: &Matrix, point: Vec3, around: f64) -> bool {
     // The crossing of a ray that starts this far away is exact enough.
     let away = around / CLEARANCE_REL;

@@ -206,7 +206,7 @@ impl<R: Traced> Path<R> {
         self.fuzz += both + self.turned * (self.s0.abs() + self.delta);
     }
 
-    /// The line's own parameter.
+    /// The parameter t of the original line at the path's parameter τ.
     pub(super) fn t(&self, tau: R) -> R {
         (self.start + tau / self.length) * self.unit
     }
@@ -244,8 +244,8 @@ impl<R: Traced> Path<R> {
         }
     }
 
-    /// Whether all of the line is surely farther than `radius` from the axis. `ring` then adds two squares, whose sum
-    /// cannot come out negative.
+    /// Whether the whole line is farther than `radius` from the axis, even with rounding. In `ring` the sum of two
+    /// squares then cannot come out negative.
     fn is_beyond(&self, radius: R) -> bool {
         self.delta - self.error > radius
     }

@@ -458,7 +458,7 @@ impl<'a> Model<'a> {
                     .flatten()
                 {
                     if self.box_of(a).touches(&own) && self.box_of(b).touches(&own) {
-                        pieces.extend(self.contact(a, b));
+                        pieces.extend(self.layer_at_contact(a, b));
                     }
                 }
             }
@@ -471,12 +471,14 @@ impl<'a> Model<'a> {
     fn joints(&mut self, union: &Meetings, group: usize) -> Vec<Object<'a>> {
         let contacts = union.contacts.get(&(group, group));
         let pairs = contacts.into_iter().flatten();
-        pairs.filter_map(|(a, b)| self.contact(*a, *b)).collect()
+        pairs
+            .filter_map(|(a, b)| self.layer_at_contact(*a, *b))
+            .collect()
     }
 
     /// The layer along the faces that two solids have in one place. It reaches two hairs to both sides, farther than
     /// faces that are a hair behind those of the solids. `None` if a solid cannot be made larger.
-    fn contact(&mut self, a: NodeId, b: NodeId) -> Option<Object<'a>> {
+    fn layer_at_contact(&mut self, a: NodeId, b: NodeId) -> Option<Object<'a>> {
         let by = 2.0 * self.hair;
         if !(self.has_offset(a, by) && self.has_offset(b, by)) {
             return None;

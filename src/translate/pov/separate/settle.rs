@@ -11,7 +11,7 @@ use crate::translate::pov::model::displacement::Change;
 use crate::translate::pov::model::plane::Plane;
 use crate::translate::pov::model::state::State;
 
-/// Operands of an operation.
+/// The operands of an operation, each with the decisions made on the way down to it.
 pub(crate) type Operands = Vec<(NodeId, State)>;
 
 /// The optics and index of a solid, if it is of one medium, and whether faces inside of it can be seen.

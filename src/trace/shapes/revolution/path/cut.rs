@@ -25,8 +25,9 @@ pub(crate) struct Cuts<R> {
 impl<R: Traced> Path<R> {
     /// The crossings with the segment between two rings.
     ///
-    /// Between the heights of its ends a segment with the direction (w, h) in (ρ, y) is the set of
-    /// h²(s² + δ²) = (h·r + w(y − y₁))². With the line's s and y this is a quadratic aτ² + 2bτ + c. If τ is counted
+    /// Let the segment run from (r, y₁), the first ring, in the direction (w, h) in the plane of (ρ, y). Between the
+    /// heights of its ends, its surface is where h²(s² + δ²) = (h·r + w(y − y₁))²; s, δ and τ are as in the
+    /// [module](super). With the line's s and y this is a quadratic aτ² + 2bτ + c. If τ is counted
     /// from the line's closest approach to (0, y₁), at the distance N, where s = N·along and y = y₁ − N·across, the
     /// quadratic has
     ///
@@ -34,8 +35,8 @@ impl<R: Traced> Path<R> {
     ///   b = along (N·across (h² + w²) − r·h·w)
     ///   b² − ac = h² (E² − a δ²),  E = r·h·across − w·N
     ///
-    /// of which every difference is one of two products (Kahan's algorithm). The root at which the
-    /// line goes in is (−b − √)/a and the other one (−b + √)/a, whatever the sign of a.
+    /// Each difference here is a difference of two products, which Kahan's algorithm computes accurately. The line
+    /// enters at the root (−b − √)/a and leaves at (−b + √)/a, whatever the sign of a.
     pub(crate) fn segment(&self, first: &Ring<R>, second: &Ring<R>) -> Cuts<R> {
         let mut cuts = Cuts {
             list: [None; 2],
