@@ -10,7 +10,8 @@ const EDGE_REL_GAP: f64 = 1e-9;
 
 /// The fixes that bring bounds into order by a change of one number each.
 pub(super) struct Misread {
-    /// The fix that makes all edges equal, if a comment says that they are equal.
+    /// The fix that makes all edges equal, if a comment says that they are equal; or the change of a sign that makes
+    /// two edges equal, which a swap of the bounds does not.
     pub equal: Option<Fix>,
     /// Fixes that put a decimal point into a number that begins with a zero.
     pub points: Vec<Fix>,
@@ -39,9 +40,16 @@ pub(super) fn misread(p: &Params, first: usize, n: usize) -> Misread {
                 text.clone(),
             );
             let fix = (fix.with("text", quote(p.text_of(i)))).with("number", quote(&text));
-            let is_equal = (edges.iter()).all(|e| (e - edges[0]).abs() <= EDGE_REL_GAP * edges[0]);
+            let are_equal = |a: f64, b: f64| (a - b).abs() <= EDGE_REL_GAP * b;
+            let is_equal = edges.iter().all(|&e| are_equal(e, edges[0]));
+            let along = (i - first) % n;
+            let others = || (0..n).filter(|&j| j != along).map(|j| edges[j]);
+            let swapped = (p.number(first + along) - p.number(first + along + n)).abs();
+            let is_square = others().any(|e| are_equal(e, edges[along]))
+                && !others().any(|e| are_equal(e, swapped));
             match is_point {
                 _ if says_equal && is_equal && all.equal.is_none() => all.equal = Some(fix),
+                false if is_square && all.equal.is_none() => all.equal = Some(fix),
                 true => all.points.push(fix),
                 false => all.signs.push(fix),
             }

@@ -210,6 +210,25 @@ impl<'a> Params<'a> {
         (0..self.len() - 1).all(|i| i == at || gap(i) < gap(at))
     }
 
+    /// The fix that exchanges x and y of every point of a profile. `None` if a height is negative, too: it would then be
+    /// the negative radius.
+    fn points_exchanged(&self) -> Option<Fix> {
+        let points = || (1..=2 * self.count).step_by(2);
+        let edit = |at: usize, from: usize| Edit {
+            span: self.span_of(at, 1),
+            text: self.text_of(from).to_owned(),
+        };
+        let all_positive = points().all(|x| self.number(x + 1) >= 0.0);
+        all_positive.then(|| Fix {
+            title: "fix-turned",
+            values: Vec::new(),
+            applicability: Applicability::Choice,
+            edits: points()
+                .flat_map(|x| [edit(x, x + 1), edit(x + 1, x)])
+                .collect(),
+        })
+    }
+
     fn violation(&self, i: usize, p: &Param) -> Option<Diagnostic> {
         let x = self.number(i);
         let (holds, code, case, [low, high]) = match p.constraint {
@@ -244,6 +263,15 @@ impl<'a> Params<'a> {
                         }),
                         false => d,
                     }
+                }
+                Some(number) if code == Code::E208 => {
+                    let (span, number) = (self.span_of(i, 1), number.to_owned());
+                    let fix = Fix::replace("fix", Applicability::Choice, span, number.clone());
+                    let fix = fix.with("number", crate::syntax::quote(&number));
+                    self.points_exchanged()
+                        .into_iter()
+                        .chain([fix])
+                        .fold(d, Diagnostic::fix)
                 }
                 _ => d,
             };

@@ -109,6 +109,8 @@ const REVERSED: &[[&str; 3]] = &[
     [" # block #", " # what is cut from it #", ""],
     ["", " # what is taken away #", ""],
     ["", " # the cut #", ""],
+    ["", " # cuts off the corner #", ""],
+    ["", " # odřezává roh #", ""],
     ["", "", " # block with a hollow #"],
     ["", "", " # kvádr s dírou #"],
     ["", "", " # kvádr se zářezem #"],
@@ -167,7 +169,75 @@ const MINUS: &[[&str; 3]] = &[
     ["", "", " # kostka bez koule #"],
     ["", " # scoop #", " # box minus scoop #"],
     [" # podstavec #", " # jamka #", " # podstavec bez jamky #"],
+    ["", "", " # box - ball #"],
+    ["", "", " # subtract the ball from the box #"],
 ];
+
+/// An operation whose comment begins with the name of another one.
+#[test]
+fn an_operation_that_its_comment_calls_another() {
+    let text = |code: &str, said: &str| {
+        cut(["", "", &format!(" # {said} #")], "13 14").replace("-103", code)
+    };
+    for (code, said, meant) in [
+        ("-101", "difference", "-103"),
+        ("-102", "the CSG difference", "-103"),
+        ("-101", "rozdíl", "-103"),
+        ("-103", "intersection", "-102"),
+        ("-103", "the union of both", "-101"),
+        ("-101", "průnik", "-102"),
+        ("-102", "sjednocení krychle a koule", "-101"),
+    ] {
+        let (finding, made) = guessed(&text(code, said), Code::W340);
+        assert_eq!(finding.case, "called");
+        assert_eq!(made, [text(meant, said)]);
+    }
+    for (code, said) in [
+        ("-103", "difference of a union and an intersection"),
+        ("-103", "without the union"),
+        ("-101", "union of the difference and the ball"),
+    ] {
+        let found = read(&text(code, said));
+        assert!(
+            found.findings().iter().all(|d| d.code != Code::W340),
+            "{said}"
+        );
+    }
+}
+
+/// A union with a part that its comment calls a hole.
+#[test]
+fn a_union_with_a_hole() {
+    let text = |comments: [&str; 3], code: &str| {
+        cut(
+            comments.map(|c| match c {
+                "" => "",
+                c => Box::leak(format!(" # {c} #").into_boxed_str()),
+            }),
+            "13 14",
+        )
+        .replace("-103", code)
+    };
+    for comments in [
+        ["", "hole", "disc with hole"],
+        ["", "díra", "deska s dírou"],
+        ["", "the cutter", "block with a bore"],
+    ] {
+        let (_, made) = guessed(&text(comments, "-101"), Code::W340);
+        assert_eq!(made, [text(comments, "-103")]);
+    }
+    for comments in [
+        ["", "hole", ""],
+        ["", "", "disc with hole"],
+        ["", "ball", "beside the hole"],
+    ] {
+        let found = read(&text(comments, "-101"));
+        assert!(
+            found.findings().iter().all(|d| d.code != Code::W340),
+            "{comments:?}"
+        );
+    }
+}
 
 /// Another operation than the difference that its comment says; the colours differ, of which W308 has no guess then.
 #[test]

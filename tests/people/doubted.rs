@@ -44,9 +44,13 @@ fn bounds_out_of_order_by_one_number() {
     assert!(is_choice(&finding));
     assert_eq!(fixed(&text), text);
     assert_eq!(safely_fixed(&text), text);
-    // Without the word the swap comes first.
-    let (_, made) = guessed(&text.replace(" # cube #", ""), Code::E202);
-    assert_eq!(made[0], of("20 12 1.5 0 -0.1 2.9 1.4 1.5"));
+    // Without the word, too, equal edges are likelier than a swap that makes none.
+    let bare = text.replace(" # cube #", "");
+    let (_, made) = guessed(&bare, Code::E202);
+    assert_eq!(made, meant.map(|m| of(m.trim_end_matches(" # cube #"))));
+    // Otherwise the swap comes first.
+    let (_, made) = guessed(&bare.replace("1.4", "1.3"), Code::E202);
+    assert_eq!(made[0], of("20 12 1.5 0 -0.1 2.9 1.3 1.5"));
     // A number that begins with a zero is the likelier slip.
     let text = of("20 12 015 0 -1.5 2.9 1.4 -0.1");
     let (finding, made) = guessed(&text, Code::E202);
@@ -279,4 +283,52 @@ fn a_hole_beside_what_is_turned_about_the_origin() {
     // They do not meet in the other order either.
     let (finding, _) = guessed(&text.replace("2.2 0 -0.5", "5 0 -0.5"), Code::W332);
     assert_eq!(finding.fixes, []);
+}
+
+/// A leg of a table has lost a sign: the swap of its bounds would make a board of it.
+#[test]
+fn a_sign_that_makes_two_edges_equal() {
+    let leg = |numbers: &str| {
+        format!(
+            "23 12 {numbers}\n9 -501 0 1 6 0 -0.1 -1 0 1 0 45\n50 -402 0.8\n50 -1 2 4 3\n1 9999 23 0\n"
+        )
+    };
+    let text = leg("0.56 0 -0.36 -0.5 0.72 -0.3");
+    let (_, made) = guessed(&text, Code::E202);
+    assert_eq!(made[0], leg("-0.56 0 -0.36 -0.5 0.72 -0.3"));
+    assert!(made.contains(&leg("-0.5 0 -0.36 0.56 0.72 -0.3")));
+    assert_eq!(fixed(&text), text);
+}
+
+/// The overlap of two parts is of no matter where they are alike once their optics are in order.
+#[test]
+fn a_rewriting_that_nothing_needs() {
+    let scene = |parts: &str| {
+        format!(
+            "2 12 -2 0 -2 2 1 2\n2 -202 {parts}\n3 14 1 0.2\n3 -1 0 1.1 0\n4 -101 2 3\n\
+             9 -501 0 3 8 0 -0.3 -1 0 1 0 45\n50 -402 0.8\n50 -1 2 6 5\n1 9999 4 0\n"
+        )
+    };
+    let by_kind = scene("0.5 0.5 0.5 0.4 0.4 0.4 0 0 0");
+    assert_eq!(
+        fixed(&by_kind).replace("  ", " "),
+        scene("0.5 0.4 0 0.5 0.4 0 0.5 0.4 0")
+    );
+}
+
+/// The points of a profile are a radius and a height each.
+#[test]
+fn points_of_a_profile_by_their_heights() {
+    let text = |points: &str| {
+        scene(
+            &format!("10 1 2 40 0 40 10\n11 1 2 {points}\n2 -103 10 11"),
+            2,
+        )
+    };
+    let (finding, made) = guessed(&text("-1 15 40 15"), Code::E208);
+    assert_eq!(made, [text("15 -1 15 40"), text("1 15 40 15")]);
+    assert!(is_choice(&finding));
+    // A negative height would be a radius.
+    let (_, made) = guessed(&text("-15 -1 15 40"), Code::E208);
+    assert_eq!(made, [text("15 -1 15 40")]);
 }

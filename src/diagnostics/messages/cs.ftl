@@ -722,6 +722,9 @@ E207-nearly = směr pohledu kamery a vektor „nahoru“ jsou až na zaokrouhlen
 
 E208 = { $type }: { $parameter } nesmí být záporná
     .label = `{ $name }` je { $text }
+    .help = bod profilu se píše `x y`: x je vzdálenost od osy, y výška
+    .fix-turned = prohodit x a y každého bodu
+    .fix = { fix-write }
 
 E209 = obrázek musí ležet ve složce scény
     .label = tato cesta vede jinam

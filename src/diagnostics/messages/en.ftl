@@ -703,6 +703,9 @@ E207-nearly = the camera's view direction and up vector are parallel up to the r
 
 E208 = { $parameter } of the { $type } cannot be negative
     .label = `{ $name }` is { $text }
+    .help = a point of a profile is `x y`: x is the distance from the axis, y the height
+    .fix-turned = exchange x and y of every point
+    .fix = { fix-write }
 
 E209 = the image must lie in the scene's own folder
     .label = this path leaves it

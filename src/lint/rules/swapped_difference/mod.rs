@@ -4,7 +4,7 @@ mod phrases;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use phrases::{SIGN, is_cut, is_hole, is_reverse, is_taken_from, is_without, operation};
+use phrases::{SIGN, has_hole, is_cut, is_hole, is_reverse, is_taken_from, is_without, operation};
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
@@ -109,7 +109,12 @@ fn said<'c>(context: &'c Context) -> Vec<(Params<'c>, NodeId, Meant)> {
                 let said = split_all(said, [one.id, two.id]);
                 is_without(&said, one, two) || is_taken_from(&said, one, two)
             };
-            let is_said = p.comments().flat_map(of).any(is_own);
+            // `disc with a hole`, where a comment calls the second operand a hole.
+            let is_joined_hole = case == UNION
+                && two.is_taken()
+                && !one.is_taken()
+                && p.comments().any(|said| has_hole(&split(said)));
+            let is_said = is_joined_hole || p.comments().flat_map(of).any(is_own);
             // With a complement as an operand, the operation is a difference already: A ∩ −B is A − B.
             if is_said && !operands.iter().any(|o| o.is_complement) {
                 let ty = difference;

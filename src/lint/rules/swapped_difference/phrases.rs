@@ -19,6 +19,8 @@ const NOTCH: [&str; 5] = ["notch", "recess", "dent", "vyrez", "zarez"];
 const MAX_ENDING: usize = 2;
 /// Beginnings of words that mean a hole behind one of [`WITH`].
 const HOLLOW: [&str; 6] = ["hollow", "groove", "slot", "prohlub", "vyhloub", "drazk"];
+/// Beginnings of words for a bore, without accents.
+const BORE: [&str; 2] = ["bore", "vrt"];
 /// Words, without accents, that say by themselves that the object is taken away.
 const TAKEN: [&str; 7] = [
     "subtracted",
@@ -102,9 +104,23 @@ pub(super) fn is_cut(said: &[String], at: usize) -> bool {
             is_done || before.iter().all(|w| words::shapes(w).is_empty())
         }
         "cutter" | "cutout" => true,
+        // In `cuts off the top`, the object is what cuts.
+        "cuts" if at + 1 < MAX_WORDS_BETWEEN => true,
+        _ if at == 0 && begins(word, czech.verbs) && is_active(word) => true,
         _ if begins(word, czech.verbs) => is_done && !word.ends_with("ni"),
         _ => is_done && is_away && begins(word, english.verbs),
     }
+}
+
+/// Whether a Czech verb is in the third person, as `odřezává` and `vyřízne`.
+fn is_active(word: &str) -> bool {
+    ["ava", "ira", "izne"].iter().any(|end| word.ends_with(end))
+}
+
+/// Whether a comment on a union has a word for a hole: `disc with a bore`.
+pub(super) fn has_hole(said: &[String]) -> bool {
+    said.iter()
+        .any(|w| is_hole(w) || begins(w, &HOLLOW) || begins(w, &BORE))
 }
 
 /// Whether a comment on a difference says that its first operand is taken from the second one.
@@ -147,14 +163,14 @@ pub(super) fn is_without(said: &[String], whole: &Operand, taken: &Operand) -> b
 /// The operation that a comment begins with, as in `difference` or `the union of the legs`. `None` if the comment names
 /// another operation, too.
 pub(super) fn operation(said: &[String]) -> Option<&'static RecordType> {
-    const ALL: [RecordKind; 3] = [
-        RecordKind::Union,
-        RecordKind::Intersection,
-        RecordKind::Difference,
-    ];
     let named = |w: &String| {
-        let types = words::named(w).into_iter();
-        types.into_iter().find(|ty| ALL.contains(&ty.kind))
+        let kind = match w.as_str() {
+            "union" | "sjednoceni" => RecordKind::Union,
+            "intersection" | "prunik" => RecordKind::Intersection,
+            "difference" | "rozdil" => RecordKind::Difference,
+            _ => return None,
+        };
+        Some(RecordType::of(kind))
     };
     let behind = usize::from(ARTICLES.contains(&said.first()?.as_str()));
     let first = named(said.get(behind)?)?;
