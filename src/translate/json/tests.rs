@@ -181,7 +181,7 @@ fn mistakes_are_named_by_their_place() {
         ),
         (
             scene(r#"{"type": "copy", "of": 0}"#, ""),
-            "nodes[0]: it names node 0, which does not",
+            "nodes[0]: it names node 0, which must stand before it",
         ),
         (
             scene(r#"{"type": "sphere", "radius": 1, "id": 1}"#, ""),
@@ -254,7 +254,7 @@ fn depth_is_refused() {
         assert!(said.len() < 200, "{said}");
     }
     assert!(
-        said[4].contains("lie too deep in one another"),
+        said[4].contains("nested too deep"),
         "{}",
         said[4]
     );
