@@ -12,16 +12,16 @@ pub use without_fma::suffices;
 /// The build with AVX2 and FMA.
 #[cfg(all(target_arch = "x86_64", target_feature = "fma"))]
 mod with_fma {
-    /// The message where the processor lacks AVX2 or FMA, in both languages: nothing is known of the user yet.
+    /// The message where the processor lacks AVX2 or FMA, in both languages: the user's language is not known yet.
     const TOO_OLD: &str = "error: this zpg was built for processors with AVX2 and FMA, and this one has not got them; \
         build it with RUSTFLAGS=\"-C target-cpu=x86-64\" cargo install --path .\n\
         chyba: toto zpg je sestaveno pro procesory s AVX2 a FMA a tento je nemá; \
         sestavte ho příkazem RUSTFLAGS=\"-C target-cpu=x86-64\" cargo install --path .";
 
-    /// Whether the program can run here; says what is missing.
+    /// Checks whether the processor has the instructions of this build. The error is a message for the user.
     ///
-    /// The standard library's own test is no use: it answers with what the program was built for. Nothing but
-    /// whole numbers is computed here: this has to run on the machines that it refuses.
+    /// The standard library's own test is no use: it takes for granted what the program was built for. Only whole
+    /// numbers are computed here, since the function has to run on the machines that it refuses.
     #[inline(never)]
     pub fn suffices() -> Result<(), &'static str> {
         use std::arch::x86_64::{__cpuid, __cpuid_count};
@@ -51,7 +51,7 @@ mod with_fma {
     }
 }
 
-/// The build that runs on every machine of its kind.
+/// The build that runs on every processor of its architecture.
 #[cfg(not(all(target_arch = "x86_64", target_feature = "fma")))]
 mod without_fma {
     /// Always succeeds: this build runs on every processor. Where a faster build lies beside it and can run, that one
@@ -77,7 +77,7 @@ mod without_fma {
         if let Some(name) = args.next() {
             command.arg0(name);
         }
-        // It returns only where it fails.
+        // `exec` returns only if it fails.
         let _ = command.args(args).exec();
     }
 
@@ -93,8 +93,8 @@ mod without_fma {
             && is_x86_feature_detected!("movbe")
     }
 
-    /// The path of the other build. A file of that name which is this build itself would hand over to itself for ever:
-    /// such a file, copied or linked, is none.
+    /// The path of the build with AVX2 and FMA, if there is one. `None` if this program itself, or a link to it, has
+    /// the name of that build: it would hand over to itself for ever.
     #[cfg(all(target_arch = "x86_64", unix))]
     fn faster() -> Option<std::path::PathBuf> {
         const NAME: &str = "zpg-x86-64-v3";

@@ -1,10 +1,11 @@
 //! Work that all threads share.
 //!
-//! The iterators of rayon are made anew for each use, about 10 kB of code each time. These functions ask it for one
-//! thing alone: to run a function on each thread.
+//! The iterators of rayon are compiled anew for each use, about 10 kB of code each time. The functions here ask rayon
+//! for one thing alone: to run a function on each thread.
 //!
-//! A thread of a pool that waits here for others may be given any other piece of work. So hold no lock here, and fill no
-//! `OnceLock`, that another piece of work may want: the thread would wait for itself.
+//! A thread that waits here for other threads may meanwhile be given any other piece of work. So call no function of
+//! this module while holding a lock, or filling a `OnceLock`, that another piece of work may want: the thread would
+//! wait for itself.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -16,29 +17,29 @@ pub fn map<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     map_with(count, || (), |(), i| work(i))
 }
 
-/// Starts a pool of `threads` threads for the rest of the process; 0 is one for each processor. The calling thread is one
-/// of them. It works while it waits and begins at once, whereas threads that must be woken may share a core for some
-/// milliseconds. A thread can do this only once. Fails if the system cannot start the threads; the calling thread then
-/// does all the work.
+/// Starts a pool of `threads` threads for the rest of the process; 0 is one for each processor. The calling thread is
+/// one of them. It works while it waits and begins at once, whereas threads that must be woken may share a core for
+/// some milliseconds. A thread can do this only once. Fails if the system cannot start the threads; the calling thread
+/// then does all the work.
 pub fn take_part(threads: usize) -> Result<(), rayon::ThreadPoolBuildError> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     // Dropping the pool would end its threads.
     pool.use_current_thread().build().map(std::mem::forget)
 }
 
-/// How many threads there are. Unless [`take_part`] has started them, they start when this is first called, which takes
-/// longer than to read a short scene.
+/// The number of threads. Unless [`take_part`] has started them, they start when this function is first called, which
+/// takes longer than reading a short scene.
 pub fn threads() -> usize {
     rayon::current_num_threads()
 }
 
-/// Into how many parts to split a text of so many bytes: one per thread, but none shorter than [`PART_MIN`].
+/// The number of parts into which to split a text: one per thread, but none shorter than [`PART_MIN`].
 pub fn parts(bytes: usize) -> usize {
     at_most(bytes / PART_MIN)
 }
 
-/// How many threads work on so many pieces: at least one, and no more than there are pieces. For one piece it does not ask
-/// how many threads there are, since asking may start them.
+/// The number of threads that work on this many pieces: at least one, and no more than there are pieces. For one piece
+/// the number of available threads is not asked for, since asking may start the threads.
 fn at_most(pieces: usize) -> usize {
     match pieces {
         0 | 1 => 1,
@@ -46,7 +47,7 @@ fn at_most(pieces: usize) -> usize {
     }
 }
 
-/// A shorter part takes less time than to wake up a thread for it.
+/// The least length of a part of a text, in bytes. A shorter part takes less time than waking up a thread for it.
 const PART_MIN: usize = 1 << 18;
 
 /// The results of two pieces of work, done at the same time where a thread is free.
@@ -68,8 +69,8 @@ pub fn map_with<S, T: Send>(
         let mut state = state();
         return (0..count).map(|i| work(&mut state, i)).collect();
     }
-    // Whoever is free takes the next share: few enough that taking one costs nothing, many enough that
-    // nobody waits long for the last one.
+    // A thread that is free takes the next share. There are so few shares that taking one costs nothing, and so many
+    // that no thread waits long for the last one.
     let size = (count / (512 * threads)).max(1);
     let shares: Vec<Mutex<Vec<T>>> = (0..count.div_ceil(size))
         .map(|_| Mutex::default())
@@ -107,14 +108,14 @@ pub fn map_each_with<S, I: Send, T: Send>(
 ) -> Vec<T> {
     let items: Vec<Mutex<Option<I>>> = items.into_iter().map(|i| Mutex::new(Some(i))).collect();
     let take = |i: usize| items[i].lock().ok().and_then(|mut item| item.take());
-    // Each is taken once.
+    // Each item is taken once.
     let made = map_with(items.len(), state, |state, i| {
         take(i).map(|item| work(state, item))
     });
     made.into_iter().flatten().collect()
 }
 
-/// Runs `work` that many times, side by side where there are threads for it.
+/// Runs `work` `threads` times, at the same time as far as threads are free.
 fn on_each_thread(threads: usize, work: &(dyn Fn() + Sync)) {
     let each = (0..threads).into_par_iter().with_max_len(1);
     each.for_each(|_| work());

@@ -4,7 +4,7 @@
 
 use super::language::Language;
 
-/// How much a finding weighs.
+/// The weight of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
@@ -19,7 +19,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// The name of the severity: `error`.
+    /// The name of the severity, as `error`.
     pub fn as_str(self) -> &'static str {
         match self {
             Severity::Error => "error",
@@ -34,9 +34,10 @@ impl Severity {
 struct CodeEntry {
     code: &'static str,
     name: &'static str,
-    /// The files `explain/CODE.md` and `CODE.cs.md`; of a rule `explain.md` and `explain.cs.md` in its folder.
+    /// The pages in English and Czech: the files `explain/CODE.md` and `CODE.cs.md`, or for a rule `explain.md` and
+    /// `explain.cs.md` in its folder.
     explanation: [&'static str; 2],
-    /// The messages of a rule in English and Czech. Those of other codes stand in `messages/`.
+    /// The messages of a rule in English and Czech; `None` for other codes, whose messages stand in `messages/`.
     messages: Option<[&'static str; 2]>,
 }
 
@@ -181,6 +182,7 @@ codes! {
     N607 "rotation-in-radians" of rule "rotation_in_radians";
     N608 "beside-picture" of rule "beside_picture";
     N609 "turned-about-origin" of rule "turned_about_origin";
+    N610 "among-others" of rule "among_others";
     S501 "notation-separator" of rule "notation_separator";
     S502 "bare-comment" of rule "bare_comment";
     S503 "several-records-per-line" of rule "several_records_per_line";
@@ -195,22 +197,22 @@ impl Code {
         self.severity() == Severity::Style || matches!(self, N601 | N604 | N605 | W314 | W315)
     }
 
-    /// `E101`.
+    /// The code itself, as `E101`.
     pub fn as_str(self) -> &'static str {
         self.entry().code
     }
 
-    /// `undefined-id`.
+    /// The name of the code, as `undefined-id`.
     pub fn name(self) -> &'static str {
         self.entry().name
     }
 
-    /// The page that `zpg explain` shows: what it does, why it matters, an example, the fix.
+    /// The page that `zpg explain` shows: what the check does, why it matters, an example, the fix.
     pub fn explanation(self, language: Language) -> &'static str {
         self.entry().explanation[language as usize]
     }
 
-    /// The messages of a lint rule, in English and in Czech.
+    /// The messages of a lint rule, in English and in Czech; `None` for other codes.
     pub(super) fn messages(self) -> Option<[&'static str; 2]> {
         self.entry().messages
     }
@@ -225,13 +227,13 @@ impl Code {
         }
     }
 
-    /// Whether the code is always an error. That there is no render record is a warning as long as nothing is to be
+    /// Whether the code is always an error. A missing render record (E106) is only a warning while nothing is to be
     /// drawn.
     pub fn is_never_allowed(self) -> bool {
         self.severity() == Severity::Error && self != Code::E106
     }
 
-    /// Finds a code by its number (in any case) or its name.
+    /// Finds a code by its number (in any case) or its name; `None` if there is no such code.
     pub fn parse(text: &str) -> Option<Code> {
         Code::ALL
             .iter()

@@ -1,4 +1,4 @@
-//! Messages of a command that are about no place in a scene: a file that cannot be read, a wish that cannot be met.
+//! Messages of a command that are about no place in a scene: a file cannot be read, a request cannot be met.
 
 #![warn(missing_docs)]
 
@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 use super::language::Language;
 use super::wording::Value;
 
-/// A message of the catalogues with what fills its places, still in no language.
+/// A message of the catalogues with the values of its placeholders, in no language yet.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Complaint {
     message: &'static str,
@@ -21,7 +21,7 @@ pub struct Complaint {
 }
 
 impl Complaint {
-    /// `message` is a name in the catalogues.
+    /// A complaint of one message, by its name in the catalogues.
     pub fn new(message: &'static str) -> Complaint {
         Complaint {
             message,
@@ -30,7 +30,7 @@ impl Complaint {
         }
     }
 
-    /// Several, a line each; nothing if there is none.
+    /// Joins complaints into one, a line each; `None` if there are none.
     pub fn several(all: impl IntoIterator<Item = Complaint>) -> Option<Complaint> {
         let mut all = all.into_iter();
         let mut first = all.next()?;
@@ -38,7 +38,7 @@ impl Complaint {
         Some(first)
     }
 
-    /// The same with the names that may have been meant, if there are any.
+    /// Adds the names that may have been meant, if there are any.
     #[must_use]
     pub fn or_meant(self, names: impl IntoIterator<Item = String>) -> Complaint {
         match either(names) {
@@ -47,17 +47,17 @@ impl Complaint {
         }
     }
 
-    /// Words of others, which are given as they are.
+    /// Words of the user, a library or another program, which are shown unchanged.
     pub fn quoted(text: impl ToString) -> Complaint {
         Complaint::new("quoted").with("text", text.to_string())
     }
 
-    /// Words that stand in the source in English, and by them in the catalogues of other languages.
+    /// Words that are English in the source. The catalogues of other languages translate them.
     pub fn term(words: &'static str) -> Complaint {
         Complaint::new("quoted").with("text", Value::Term(words))
     }
 
-    /// Fills a place of the message.
+    /// Fills a placeholder of the message.
     #[must_use]
     pub fn with(mut self, place: &'static str, value: impl Into<Value>) -> Complaint {
         self.values.push((place, value.into()));
@@ -74,7 +74,7 @@ impl Complaint {
             .join("\n")
     }
 
-    /// The complaint and then the others that it goes with.
+    /// The first complaint alone, then each of those that were joined to it.
     pub fn each(&self) -> impl Iterator<Item = Complaint> + '_ {
         let alone = Complaint {
             others: Vec::new(),
@@ -84,7 +84,7 @@ impl Complaint {
     }
 }
 
-/// Names in quotes, of which one may have been meant.
+/// Names in quotes, joined by "or"; `None` without names.
 pub fn either(names: impl IntoIterator<Item = String>) -> Option<Value> {
     let quoted = names
         .into_iter()
@@ -95,7 +95,7 @@ pub fn either(names: impl IntoIterator<Item = String>) -> Option<Value> {
     })
 }
 
-/// Words of the source, as [`Complaint::term`] takes them.
+/// Makes a complaint of words of the source; see [`Complaint::term`].
 impl From<&'static str> for Complaint {
     fn from(words: &'static str) -> Complaint {
         Complaint::term(words)
@@ -131,12 +131,12 @@ impl From<Complaint> for Value {
     }
 }
 
-/// An error of the operating system, without its number. The common ones are known in every language.
+/// An error of the operating system, without its number. Common errors have a message in every language.
 impl From<&io::Error> for Complaint {
     fn from(error: &io::Error) -> Complaint {
         let text = error.to_string();
         let words = text.find(" (os error ");
-        // Libraries say more than the system does, and keep its number in the text.
+        // A library may add words to a system error, but keeps its number in the text.
         let is_system = error.raw_os_error().is_some() || words.is_some();
         let known = match error.kind() {
             io::ErrorKind::NotFound => Some("io-not-found"),

@@ -6,12 +6,12 @@ use super::code::{Code, Severity};
 use super::span::Span;
 use super::wording::Value;
 
-/// A second place that matters, with what it has to do with the matter.
+/// A second place of a finding, and what it has to do with the finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Label {
     /// The place.
     pub span: Span,
-    /// A phrase; see [`wording`](super::wording).
+    /// The name of the phrase about the place; see [`wording`](super::wording).
     pub phrase: &'static str,
 }
 
@@ -19,11 +19,11 @@ pub struct Label {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Applicability {
-    /// Same meaning, or clearly what was meant.
+    /// The fix keeps the meaning, or clearly gives what was meant.
     Safe,
-    /// A good guess; a person should look.
+    /// The fix is a good guess; a person should look at it.
     Unsafe,
-    /// A fix among several guesses that are as good: a person has to choose, and it is never applied.
+    /// The fix is one of several guesses that are equally good: a person has to choose, and it is never applied.
     Choice,
 }
 
@@ -39,9 +39,9 @@ pub struct Edit {
 /// A set of edits that belong together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fix {
-    /// A phrase, what the fix does; see [`wording`](super::wording).
+    /// The name of the phrase that says what the fix does; see [`wording`](super::wording).
     pub title: &'static str,
-    /// The values in the places of the title, where they are not those of the finding.
+    /// The values of the title's placeholders, where they differ from those of the finding.
     pub values: Vec<(&'static str, Value)>,
     /// Whether the edits may be made without asking.
     pub applicability: Applicability,
@@ -50,7 +50,7 @@ pub struct Fix {
 }
 
 impl Fix {
-    /// A guess of several edits.
+    /// An unsafe fix of several edits.
     pub fn guess(title: &'static str, edits: Vec<Edit>) -> Fix {
         Fix {
             title,
@@ -78,7 +78,7 @@ impl Fix {
         }
     }
 
-    /// Fills a place of the title.
+    /// Fills a placeholder of the title.
     pub fn with(mut self, place: &'static str, value: impl Into<Value>) -> Self {
         self.values.push((place, value.into()));
         self
@@ -92,18 +92,18 @@ pub struct Diagnostic {
     pub code: Code,
     /// The severity.
     pub severity: Severity,
-    /// The name of the place in a file that is no text of records: `nodes[3].radius`.
+    /// The name of the place in a file that is no text of records, as `nodes[3].radius`; otherwise `None`.
     pub at: Option<String>,
     /// The case of the message, where a code has several: `decimal-comma` for `E003-decimal-comma`. Empty for the
     /// message `E003`.
     pub case: &'static str,
-    /// The values in the places of the message.
+    /// The values of the message's placeholders.
     pub values: Vec<(&'static str, Value)>,
     /// The place to look at first.
     pub span: Span,
-    /// Second places that matter.
+    /// The second places of the finding.
     pub labels: Vec<Label>,
-    /// Phrases beside the message's own note.
+    /// The names of phrases that are notes, beside the message's own note.
     pub notes: Vec<&'static str>,
     /// Proposed fixes.
     pub fixes: Vec<Fix>,
@@ -131,7 +131,7 @@ impl Diagnostic {
         self
     }
 
-    /// Fills a place of the message, its label, notes, help and fixes.
+    /// Fills a placeholder of the message, its label, notes, help and fixes.
     pub fn with(mut self, place: &'static str, value: impl Into<Value>) -> Self {
         self.values.push((place, value.into()));
         self
@@ -143,7 +143,7 @@ impl Diagnostic {
         self
     }
 
-    /// Adds a note, by its message.
+    /// Adds a note, by the name of its phrase.
     pub fn note(mut self, phrase: &'static str) -> Self {
         self.notes.push(phrase);
         self

@@ -8,7 +8,8 @@ use super::complaint::Complaint;
 use super::diagnostic::Diagnostic;
 use super::span::Span;
 
-/// The reason why a scene is not drawn, asked or translated. Every function that may refuse gives this type.
+/// The reason why a scene is not drawn, asked or translated. Every function that may refuse a request returns this
+/// type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Error {
     /// An error in the scene that stands in the way.
@@ -18,7 +19,7 @@ pub enum Error {
         /// The place in the text; `None` for the scene as a whole.
         span: Option<Span>,
     },
-    /// A finding says it: a picture that the scene names cannot be used.
+    /// A finding is the reason: a picture that the scene names cannot be used.
     Finding(Box<Diagnostic>),
     /// The request cannot be met: its arguments do not fit, or a file cannot be read or written.
     Request(Complaint),
@@ -27,12 +28,12 @@ pub enum Error {
 }
 
 impl Error {
-    /// The scene as a whole stands in the way.
+    /// The error that the scene as a whole stands in the way.
     pub fn scene(why: Complaint) -> Error {
         Error::Scene { why, span: None }
     }
 
-    /// A record of the scene stands in the way.
+    /// The error that a record of the scene stands in the way, at its span.
     pub fn at(span: Span, why: Complaint) -> Error {
         Error::Scene {
             why,
@@ -40,7 +41,7 @@ impl Error {
         }
     }
 
-    /// The scene has no render record.
+    /// The error that the scene has no render record.
     pub fn nothing_to_draw() -> Error {
         Error::scene(Complaint::new("draw-nothing"))
     }

@@ -1,10 +1,11 @@
-//! Applying fixes to a text.
+//! Applies fixes to a text.
 
 use super::source::line_break;
 use super::{Applicability, Diagnostic, Edit, Fix, Span};
 
 impl Diagnostic {
-    /// The fix that is applied, if one may be: the first that is safe, or the first of all if it is no choice.
+    /// The fix to apply: the first safe one; or else, with `unsafe_too`, the first of all, unless it is a choice.
+    /// `None` if no fix may be applied.
     pub fn applicable_fix(&self, unsafe_too: bool) -> Option<&Fix> {
         let safe = |f: &&Fix| f.applicability == Applicability::Safe;
         let safe_one = self.fixes.iter().find(safe);
@@ -13,20 +14,20 @@ impl Diagnostic {
     }
 }
 
-/// The text after as many of the fixes as go together, and how many these were.
+/// Applies as many of the fixes as go together. Returns the new text and the number of these fixes.
 pub fn apply<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (String, usize) {
     let (edits, count) = edits(text, fixes);
     (edited(text, &edits), count)
 }
 
-/// The edits of as many of the fixes as go together, in order, and how many fixes these were. Of two
-/// that touch the same place the first counts; the other may be found again in what comes out. Line
-/// breaks in a fix become what ends the text's own lines.
+/// The edits of as many of the fixes as go together, in the order of the text, and the number of these fixes. If two
+/// fixes touch the same place, only the first counts; the other may be found again in the new text. Line breaks in a
+/// fix become those of the text.
 pub fn edits<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (Vec<Edit>, usize) {
     let mut chosen: Vec<&Edit> = Vec::new();
     let mut count = 0;
-    // Everything up to here is spoken for; one insertion at its very end, too, would come in doubtful
-    // order with another one.
+    // The spans of the chosen edits, in order. An edit that only touches one of them is refused, too: two insertions in
+    // one place would have no certain order.
     let mut taken: Vec<(u32, u32)> = Vec::new();
     for fix in fixes {
         let valid = |e: &Edit| text.get(e.span.range()).is_some();
@@ -65,21 +66,21 @@ pub fn edits<'a>(text: &str, fixes: impl Iterator<Item = &'a Fix>) -> (Vec<Edit>
     (chosen.into_iter().map(edit).collect(), count)
 }
 
-/// Where a part of the text begins that is taken out: where nothing but white space is behind it on its line, that before
-/// it goes, too.
+/// The start of a part of the text that is removed. If only white space is behind the part on its line, the white space
+/// before it is removed, too.
 fn without_space_before(text: &str, span: Span) -> u32 {
     let rest = text[span.end as usize..].trim_start_matches([' ', '\t']);
     let is_tail = rest.is_empty() || rest.starts_with(['\r', '\n']);
     let before = &text[..span.start as usize];
     let kept = before.trim_end_matches([' ', '\t']);
-    // A line of its own has nothing before it but its indentation.
+    // A part that has nothing but its indentation before it on its line keeps the indentation.
     match is_tail && span.start < span.end && !kept.is_empty() && !kept.ends_with(['\r', '\n']) {
         true => kept.len() as u32,
         false => span.start,
     }
 }
 
-/// The text after some edits, which are in order.
+/// Applies edits to a text. They are in order of their spans, which do not overlap.
 pub fn edited(text: &str, edits: &[Edit]) -> String {
     let mut out = String::with_capacity(text.len());
     let mut at = 0;

@@ -1,4 +1,4 @@
-//! The languages that messages are given in; what they say is in [`wording`](super::wording).
+//! The languages of messages; the texts are in [`wording`](super::wording).
 
 #![warn(missing_docs)]
 
@@ -13,7 +13,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// `en`.
+    /// The tag of the language, as `en`.
     pub fn tag(self) -> &'static str {
         match self {
             Language::English => "en",
@@ -21,7 +21,7 @@ impl Language {
         }
     }
 
-    /// The language with a tag.
+    /// The language with a tag; `None` if there is none.
     pub fn of_tag(tag: &str) -> Option<Language> {
         let all = [Language::English, Language::Czech];
         all.into_iter().find(|language| language.tag() == tag)

@@ -1,9 +1,9 @@
-//! Text in lines that are no wider than a terminal.
+//! Lays out text in lines that are no wider than a terminal.
 
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm, core::display_width};
 
-/// Words in lines no wider than this, if no word is; lines after the first begin with `indent`. Lines that the text has
-/// stay lines.
+/// Wraps text into lines no wider than `width`, unless a single word is. Lines after the first begin with `indent`.
+/// Line breaks of the text are kept.
 pub fn wrapped(text: &str, width: usize, indent: &str) -> String {
     let options = Options::new(width)
         .subsequent_indent(indent)
@@ -16,7 +16,7 @@ pub fn wrapped(text: &str, width: usize, indent: &str) -> String {
     lines.collect::<Vec<_>>().join("\n").replace(BOUND, " ")
 }
 
-/// A space where no line ends. No text has this character, which means nothing.
+/// A space at which no line may end. No text has this character, to which Unicode gives no meaning.
 const BOUND: char = '\u{e000}';
 
 /// Keeps text between backquotes together: it is a command or a record to be copied, and no line ends in it unless it
@@ -35,7 +35,8 @@ fn together(text: &str, longest: usize) -> String {
     out
 }
 
-/// A line of columns, or of an example: what is too long goes on below its last column that has room, or farther in.
+/// Wraps a line of columns or of an example. Further lines begin below the last column that has room, or are indented
+/// by four more.
 pub fn hanging(line: &str, width: usize) -> String {
     if display_width(line) <= width {
         return line.to_owned();
@@ -52,10 +53,10 @@ pub fn hanging(line: &str, width: usize) -> String {
     wrapped(line, width, &" ".repeat(column.unwrap_or(indent + 4)))
 }
 
-/// A column is no narrower than this.
+/// The least width that a column must have left to be continued on further lines.
 const LEAST_COLUMN: usize = 24;
 
-/// Paragraphs in lines no wider than this; indented lines are columns or examples.
+/// Wraps paragraphs into lines no wider than `width`. Indented lines are columns or examples, and stay lines.
 pub fn paragraphs(text: &str, width: usize) -> String {
     let mut out: Vec<String> = Vec::new();
     let mut words = String::new();
@@ -73,18 +74,18 @@ pub fn paragraphs(text: &str, width: usize) -> String {
         }
         out.push(hanging(line, width));
     }
-    // The empty line at the end is none of the text's.
+    // The empty line at the end was added by the loop.
     out.pop();
     out.join("\n")
 }
 
-/// The same where there is a width at all.
+/// Wraps text as [`wrapped`] does; without a width, the text stays unchanged.
 pub fn wrapped_if(text: &str, width: Option<usize>, indent: &str) -> String {
     width.map_or_else(|| text.to_owned(), |width| wrapped(text, width, indent))
 }
 
-/// Entries with ` · ` between them, in lines no wider than this: a line ends between two entries where it can, and then
-/// with the point.
+/// Joins entries by ` · ` behind `first`, in lines no wider than `width`. Where possible a line ends between two
+/// entries, with the point.
 pub fn listed(first: &str, entries: &[String], width: usize, indent: &str) -> String {
     let mut lines = Vec::new();
     let mut line = first.to_owned();

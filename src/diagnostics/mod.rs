@@ -1,8 +1,8 @@
 //! Diagnostics of a scene: [`Diagnostic`]s with a stable [`Code`], spans, notes, help and fixes; their texts
-//! ([`wording`]); and the ways to print them ([`render`]). What is about no place in a scene is a [`Complaint`]; why
-//! something that was asked for is not done is an [`Error`].
+//! ([`wording`]); and the ways to print them ([`render`]). A message about no place in a scene is a [`Complaint`]; the
+//! reason why a request is not met is an [`Error`].
 //!
-//! Nothing here knows the language: the other modules make diagnostics, this one carries them.
+//! Nothing here knows the scene language: the other modules make diagnostics, this one carries them.
 
 pub mod code;
 pub mod complaint;

@@ -11,22 +11,23 @@ use super::Span;
 /// The longest file that is read, in bytes: spans are 32-bit.
 pub const MAX_FILE_BYTES: usize = i32::MAX as usize;
 
-/// How the file lies on disk.
+/// The encoding of a file on disk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Encoding {
     /// UTF-8.
     Utf8,
     /// A text that is not valid UTF-8, and so is taken as the usual Czech encoding. One byte is one character.
     Windows1250,
-    /// UTF-16 with the low byte first, the way of Windows' Notepad. A byte order mark says so, or that every other byte
-    /// is NUL.
+    /// UTF-16 with the low byte first, as Windows' Notepad writes it. It is recognised by a byte order mark, or by NUL
+    /// in nearly every other byte.
     Utf16Le,
-    /// The same with the bytes of each pair swapped.
+    /// UTF-16 with the high byte first.
     Utf16Be,
 }
 
 impl Encoding {
-    /// Tells from a file's bytes. What is neither UTF-16 nor UTF-8 is Windows-1250.
+    /// Tells UTF-16 from other encodings by a file's bytes. UTF-8 is not validated here: [`SourceFile::new`] takes
+    /// invalid UTF-8 for Windows-1250.
     fn of(bytes: &[u8]) -> Encoding {
         match bytes {
             [0xff, 0xfe, ..] => Encoding::Utf16Le,
@@ -38,7 +39,7 @@ impl Encoding {
         }
     }
 
-    /// The name in the registry of character sets.
+    /// The name of the encoding in the registry of character sets.
     pub fn name(self) -> &'static str {
         match self {
             Encoding::Utf8 => "UTF-8",
@@ -53,7 +54,7 @@ impl Encoding {
         matches!(self, Encoding::Utf16Le | Encoding::Utf16Be)
     }
 
-    /// The bytes of a text's characters on disk.
+    /// The number of bytes that a text takes on disk.
     fn width(self, text: &str) -> u32 {
         match self {
             Encoding::Utf8 => text.len() as u32,
@@ -62,7 +63,7 @@ impl Encoding {
         }
     }
 
-    /// The text of some bytes, and whether it stands for all of them.
+    /// Decodes bytes. Returns the text, and whether it stands for all of the bytes.
     fn decode(self, bytes: Vec<u8>) -> (String, bool) {
         let unit: fn([u8; 2]) -> u16 = match self {
             Encoding::Utf8 => {
@@ -103,11 +104,11 @@ impl Encoding {
     }
 }
 
-/// Whether the bytes are pairs whose first (0) or second (1) byte is NUL nearly always, and the other
-/// one hardly ever: letters beyond Latin 1 occur in comments.
+/// Whether the bytes are pairs in which one byte, the first (0) or the second (1) as `nul` says, is nearly always NUL,
+/// and the other one hardly ever: letters beyond Latin 1 occur in comments.
 fn is_half_nul(bytes: &[u8], nul: usize) -> bool {
     let (mut pairs, _) = bytes.as_chunks::<2>();
-    // What a block of a disk is filled with says nothing.
+    // NULs at the end fill a block of a disk, and say nothing about the encoding.
     while let [before @ .., [0, 0]] = pairs {
         pairs = before;
     }
@@ -115,7 +116,7 @@ fn is_half_nul(bytes: &[u8], nul: usize) -> bool {
     !pairs.is_empty() && 4 * nuls(nul) >= 3 * pairs.len() && 16 * nuls(1 - nul) <= pairs.len()
 }
 
-/// The end of a text. Behind it are marks of DOS, 0x1A, NULs, and perhaps blanks between them.
+/// The end of the text proper. Behind it may be end marks of DOS (0x1A) and NULs, perhaps with blanks between them.
 fn end_of_text(text: &str) -> usize {
     let is_fill = |c: char| matches!(c, '\0' | '\u{1a}');
     let kept = text.trim_end_matches(|c: char| is_fill(c) || matches!(c, ' ' | '\t' | '\r' | '\n'));
@@ -123,8 +124,8 @@ fn end_of_text(text: &str) -> usize {
     fill.map_or(text.len(), |at| kept.len() + at)
 }
 
-/// The line break of a text. In a mixed one it is the last: a text that is printed anew ends with it, so
-/// that it is found again there.
+/// The line break of a text. In a text with several kinds it is the last one: a text that is printed anew ends with
+/// this line break, so that it is found again.
 pub fn line_break(text: &str) -> &'static str {
     match text.rfind(['\n', '\r']) {
         Some(at) if text[..=at].ends_with("\r\n") => "\r\n",
@@ -153,9 +154,9 @@ pub struct SourceFile {
     pub text: String,
     /// The encoding of the file.
     pub encoding: Encoding,
-    /// Whether the text stands for all bytes of the file; half a character of UTF-16 is lost.
+    /// Whether the text stands for all bytes of the file. Half a character of UTF-16 cannot be kept.
     pub is_whole: bool,
-    /// The bytes behind the text: the mark with which texts of DOS end, and what fills the file's last block on a disk.
+    /// The characters behind the text: the end mark of DOS, and those that fill the file's last block on a disk.
     tail: String,
     lines: OnceLock<Lines>,
 }
@@ -164,7 +165,7 @@ pub struct SourceFile {
 struct Lines {
     /// Byte offset in the text of each line's start.
     starts: Vec<u32>,
-    /// The same on disk; empty for UTF-8, where the two agree.
+    /// Byte offset on disk of each line's start; empty for UTF-8, where the two offsets agree.
     starts_on_disk: Vec<u32>,
 }
 
@@ -193,7 +194,7 @@ impl Lines {
 }
 
 impl SourceFile {
-    /// Decodes a file: UTF-16 where that is plain, UTF-8 where it is valid, else Windows-1250, which
+    /// Decodes a file: as UTF-16 where that is plain, as UTF-8 where it is valid, otherwise as Windows-1250, which
     /// never fails.
     pub fn new(path: impl Into<String>, bytes: Vec<u8>) -> SourceFile {
         let encoding = Encoding::of(&bytes);
@@ -214,7 +215,7 @@ impl SourceFile {
         }
     }
 
-    /// A file whose characters are known; in UTF-8.
+    /// A file in UTF-8 with a text that is decoded already.
     pub fn of_text(path: impl Into<String>, mut text: String) -> SourceFile {
         let tail = text.split_off(end_of_text(&text));
         SourceFile {
@@ -244,7 +245,8 @@ impl SourceFile {
         self.text.is_empty() && self.tail.contains('\0')
     }
 
-    /// The starts of lines, found when they are first asked for: most scenes are right, and nobody asks.
+    /// The starts of lines. They are found when they are first asked for, which most scenes, having no findings, never
+    /// need.
     fn lines(&self) -> &Lines {
         self.lines
             .get_or_init(|| Lines::new(&self.text, self.encoding))
@@ -269,7 +271,7 @@ impl SourceFile {
         self.text.get(span.range()).unwrap_or("")
     }
 
-    /// The offset itself, or where the character starts that it lies in; at most the text's end.
+    /// The start of the character that an offset lies in, which may be the offset itself; at most the text's end.
     pub fn floor(&self, offset: u32) -> u32 {
         let mut at = (offset as usize).min(self.text.len());
         while !self.text.is_char_boundary(at) {
@@ -331,8 +333,8 @@ impl SourceFile {
         }
     }
 
-    /// The file's bytes with another text, in its encoding; nothing if they would be read as something
-    /// else, or the file has bytes that its text does not stand for.
+    /// The bytes of another text in the file's encoding. `None` if they would be read as a different text, or if the
+    /// file has bytes that its text does not stand for.
     pub fn encode<'t>(&self, text: &'t str) -> Option<Cow<'t, [u8]>> {
         let mut bytes = self.encoding.encode(text);
         if !self.tail.is_empty() {
@@ -349,13 +351,15 @@ impl SourceFile {
 /// together on a very long line cost no more than on a short one.
 pub struct Locator<'a> {
     file: &'a SourceFile,
-    /// The line of the last position, its text offset, and what is before it on the line.
+    /// The line of the last position, from 0.
     line: usize,
+    /// The text offset of the last position.
     offset: u32,
+    /// The length of the text between the line's start and the last position.
     before: Extent,
 }
 
-/// How long a stretch of text is, in characters and in bytes on disk.
+/// The length of a stretch of text, in characters and in bytes on disk.
 #[derive(Clone, Copy, Default)]
 struct Extent {
     chars: u32,

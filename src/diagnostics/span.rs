@@ -22,7 +22,7 @@ impl Span {
         Span::new(self.start.min(other.start), self.end.max(other.end))
     }
 
-    /// Whether the two have a place in common; an end counts.
+    /// Whether two spans have a place in common. Spans that only touch count.
     pub fn touches(self, other: Span) -> bool {
         self.start <= other.end && other.start <= self.end
     }

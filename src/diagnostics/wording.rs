@@ -1,16 +1,15 @@
 //! The texts of findings.
 //!
-//! The words stand in catalogues, a file a language, in the form of [Project
-//! Fluent](https://projectfluent.org): `messages/en.ftl` and `messages/cs.ftl`, and files of these names in
-//! the folders of lint rules. A message is named
-//! by a code and, where a code has several, the case; its attributes are the label at the primary
-//! place, a note, help, and whatever else a rule names. Such a name is a *phrase*: an attribute of
-//! the finding's own message, or a message of its own that several share.
+//! The words stand in catalogues, a file a language, in the form of [Project Fluent](https://projectfluent.org):
+//! `messages/en.ftl` and `messages/cs.ftl`, and files of these names in the folders of lint rules. The name of a
+//! finding's message is its code and, if the code has several messages, the case. The attributes of the message are the
+//! label at the primary place, a note, help, and others that a rule names. A *phrase* is the name of an attribute of
+//! the finding's own message, or of a message that several findings share.
 //!
-//! What fills the places of a message is a [`Value`]. Names of things of the language (types of
-//! records, parameters, kinds) are *terms*: a catalogue translates them as `term-…` and may give
-//! other forms as attributes. A term in the place `$shape` also fills `$shape-FORM` for each of these,
-//! in English `$shape-a`, the name with its article.
+//! A [`Value`] fills a placeholder of a message. Names of things of the scene language (types of records, parameters,
+//! kinds) are *terms*: a catalogue translates them as `term-…` and may give other forms as attributes. A term in the
+//! placeholder `$shape` also fills `$shape-FORM` for each of these forms, in English `$shape-a`, the name with its
+//! article.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -26,23 +25,23 @@ use super::complaint::Complaint;
 use super::diagnostic::Diagnostic;
 use super::language::Language;
 
-/// A value in a place of a message.
+/// A value for a placeholder of a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Value {
-    /// A text that stays as it is: the user's, or numbers as they are spelled.
+    /// A text that stays unchanged: the user's own, or numbers as they are spelled.
     Text(Cow<'static, str>),
-    /// A number that was measured or computed, with a decimal point: each language has its own sign. Numbers of the
-    /// scene and of commands are text.
+    /// A number that was measured or computed, with a decimal point, which each language writes in its own way. Numbers
+    /// of the scene and of commands are text.
     Decimal(String),
-    /// How many; the words around it follow.
+    /// A number of things; the words around it agree with it.
     Count(u64),
-    /// A name of the language, in English.
+    /// A name of the scene language, in English.
     Term(&'static str),
     /// Alternative names: "an object or a camera".
     OneOf(Vec<&'static str>),
     /// Phrases one after the other: "it mirrors, and its columns are not at right angles".
     Phrases(Vec<&'static str>),
-    /// Another message, with the values of its own places.
+    /// Another message, with its own values.
     Said(Box<Complaint>),
 }
 
@@ -60,14 +59,14 @@ impl From<&'static str> for Value {
 
 impl From<&Path> for Value {
     fn from(path: &Path) -> Value {
-        // A name may move the cursor of a terminal.
+        // Control characters in a file's name could move the cursor of a terminal.
         path.to_string_lossy()
             .replace(char::is_control, "\u{fffd}")
             .into()
     }
 }
 
-/// The note of a finding that a number with a leading zero explains.
+/// The name of the note that explains a finding by a number with a leading zero.
 pub const EXPLAINED: &str = "leading-zero";
 
 /// The texts of a finding.
@@ -106,7 +105,7 @@ impl Diagnostic {
             notes: (own("note").into_iter())
                 .chain(self.notes.iter().map(|n| speaker.phrase(n)))
                 .collect(),
-            // What a number explains asks for nothing else.
+            // A finding that such a number explains needs no other help.
             help: own("help").filter(|_| !self.notes.contains(&EXPLAINED)),
             fixes: (self.fixes.iter())
                 .map(|f| match f.values.is_empty() {
@@ -122,7 +121,7 @@ impl Diagnostic {
 }
 
 impl Language {
-    /// A number with the decimal sign of running text.
+    /// A number with a decimal point, written with the decimal sign of the language.
     pub fn decimal(self, number: String) -> String {
         match self {
             Language::English => number,
@@ -130,7 +129,7 @@ impl Language {
         }
     }
 
-    /// A message that is not a finding's.
+    /// The text of a message that belongs to no finding.
     pub fn say(self, message: &'static str, values: &[(&'static str, Value)]) -> String {
         let speaker = Speaker::new(self, Cow::Borrowed(message)).filled(self, values);
         speaker.message(message)
@@ -141,7 +140,7 @@ impl Language {
         term(self, name)
     }
 
-    /// A name in a form of the language: in English with its article.
+    /// A name of the scene language in a form that this language's catalogue has; in English always with its article.
     pub fn form(self, name: &'static str, form: &str) -> String {
         match self {
             Language::English => with_article(name),
@@ -152,8 +151,8 @@ impl Language {
         }
     }
 
-    /// A message that only some languages have, or an attribute of it. English has it elsewhere: in the
-    /// table of records, with the commands.
+    /// The text of a message that only some languages have, or of an attribute of it; `None` if this language does not
+    /// have it. English has these texts elsewhere: in the table of records, with the commands.
     pub fn own(self, message: &str, attribute: Option<&str>) -> Option<String> {
         let message = self.catalogue().get_message(message)?;
         let pattern = match attribute {
@@ -168,12 +167,12 @@ impl Language {
         ALL[self as usize].get_or_init(|| {
             let texts = self.sources();
             let mut bundle = FluentBundle::new_concurrent(self.tag().parse().into_iter().collect());
-            // No marks around what fills a place: everything is read from left to right.
+            // Values get no marks of direction around them: everything is read from left to right.
             bundle.set_use_isolating(false);
             let rules = Code::ALL.iter().filter_map(|code| code.messages());
             let rules = rules.map(|messages| messages[self as usize]);
             for text in texts.iter().copied().chain(rules) {
-                // What is wrong in a catalogue is left out; tests look for that.
+                // Faulty entries of a catalogue are left out; tests look for them.
                 let resource = FluentResource::try_new(text.to_owned()).unwrap_or_else(|e| e.0);
                 let _ = bundle.add_resource(resource);
             }
@@ -208,7 +207,7 @@ impl Language {
 
 type Catalogue = FluentBundle<FluentResource>;
 
-/// A language, a message of its catalogue and what fills its places.
+/// A message in the catalogue of a language, with the values of its placeholders.
 struct Speaker<'a> {
     catalogue: &'static Catalogue,
     own: Cow<'static, str>,
@@ -238,7 +237,7 @@ impl<'a> Speaker<'a> {
                 Value::OneOf(names) => one_of(language, names).into(),
                 Value::Said(inner) => inner.wording(language).into(),
                 Value::Decimal(number) => language.decimal(number.clone()).into(),
-                // Phrases may have places themselves: these are filled when all values are known.
+                // Phrases may have placeholders themselves, which are filled once all values are known.
                 Value::Phrases(_) => continue,
             };
             self.arguments.set(*place, value);
@@ -258,7 +257,7 @@ impl<'a> Speaker<'a> {
         self
     }
 
-    /// An attribute of the finding's own message, or a message that several share.
+    /// The text of a phrase: an attribute of the finding's own message, or a message that several findings share.
     fn phrase(&self, name: &str) -> String {
         self.attribute(name).unwrap_or_else(|| self.message(name))
     }
@@ -269,7 +268,7 @@ impl<'a> Speaker<'a> {
         Some(self.format(pattern))
     }
 
-    /// A message that is missing is given by its name; tests see to it that none is.
+    /// The text of a message. A missing message is replaced by its name; tests see to it that none is missing.
     fn message(&self, id: &str) -> String {
         let pattern = self.catalogue.get_message(id).and_then(|m| m.value());
         debug_assert!(pattern.is_some(), "there is no message {id}");
@@ -286,7 +285,7 @@ impl<'a> Speaker<'a> {
     }
 }
 
-/// A name of the language in another language.
+/// A name of the scene language in a language of messages.
 fn term(language: Language, name: &'static str) -> String {
     if name.is_empty() {
         return String::new();
@@ -304,7 +303,8 @@ fn term(language: Language, name: &'static str) -> String {
     }
 }
 
-/// Other forms of a name: at the beginning of a sentence, and what the catalogue has.
+/// Further forms of a name, each with its name: with a capital for the beginning of a sentence, and those of the
+/// catalogue.
 fn forms(language: Language, name: &'static str) -> Vec<(&'static str, String)> {
     let mut forms = vec![("capital", capitalised(&term(language, name)))];
     match language {
@@ -325,14 +325,15 @@ fn capitalised(text: &str) -> String {
     first.chain(chars.as_str().chars()).collect()
 }
 
-/// Names of shapes that go on behind their noun, in Czech. An ID behind them would be a part of what goes on.
+/// The ends of Czech names of shapes that go on behind their noun. An ID behind the whole name would read as a part of
+/// what follows the noun.
 const LONG_NAMES: [&str; 3] = [
     "oule se středem v počátku ",
     "rojúhelník s normálou ",
     "rojúhelník s normálami ve vrcholech ",
 ];
 
-/// A text in which the IDs of such shapes stand behind the nouns: `koule 2 se středem v počátku`.
+/// Moves the IDs of these shapes right behind their nouns: `koule 2 se středem v počátku`.
 fn ids_behind_nouns(mut text: String) -> String {
     for name in LONG_NAMES {
         let mut from = 0;
@@ -378,7 +379,7 @@ fn one_of(language: Language, names: &[&'static str]) -> String {
     }
 }
 
-/// The message that translates a name: `term-` and the name's letters and digits.
+/// The name of the message that translates a name: `term-` and the name's letters and digits.
 fn term_id(name: &str) -> String {
     let words = name.split(|c: char| !c.is_ascii_alphanumeric());
     words

@@ -18,8 +18,8 @@ pub struct Aabb {
 /// and the error of the point itself, with room to spare.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Gap between boxes that touch, as a share of their coordinates: far more than roundings move anything, far less than
-/// anybody means.
+/// The greatest gap between boxes that count as touching, as a share of their coordinates: far more than rounding, and
+/// far less than any gap that is meant.
 const TOUCH_REL_GAP: f64 = 1e-9;
 
 impl Aabb {
@@ -56,7 +56,7 @@ impl Aabb {
         self.is_finite() && !self.is_empty()
     }
 
-    /// The smallest box around both.
+    /// The smallest box around both boxes.
     #[inline]
     pub fn hull(&self, other: &Aabb) -> Aabb {
         if self.is_empty() {
@@ -85,21 +85,21 @@ impl Aabb {
         !self.intersection(other).is_empty()
     }
 
-    /// Whether the two have a point in common but for what a few roundings may have moved them apart.
+    /// Whether the two boxes have a point in common, or are so near to each other that rounding may have parted them.
     #[inline]
     pub fn touches(&self, other: &Aabb) -> bool {
         let hair = TOUCH_REL_GAP * self.far().max(other.far());
         (0..3).all(|i| self.min[i] <= other.max[i] + hair && other.min[i] <= self.max[i] + hair)
     }
 
-    /// The largest of its coordinates, in size.
+    /// The largest absolute value of the box's coordinates.
     #[inline]
     pub fn reach(&self) -> f64 {
         let all = [self.min, self.max].into_iter().flatten();
         all.fold(0.0, |m, x| m.max(x.abs()))
     }
 
-    /// The largest of its finite coordinates, in size.
+    /// The largest absolute value of the box's finite coordinates.
     pub fn far(&self) -> f64 {
         let finite = [self.min, self.max]
             .into_iter()
@@ -166,7 +166,7 @@ impl Aabb {
         each([0, 1, 2], |i| self.max[i] - self.min[i])
     }
 
-    /// Half the surface area; what the surface area heuristic compares.
+    /// Half the surface area, which the surface area heuristic compares.
     #[inline]
     pub fn half_area(&self) -> f64 {
         if self.is_empty() {
@@ -178,9 +178,9 @@ impl Aabb {
 
     /// A box that certainly holds the image of everything in this one.
     ///
-    /// Arvo's method (Graphics Gems, "Transforming axis-aligned bounding boxes"), then widened by
-    /// the rounding of the sums, and of the points on the surfaces inside, which are themselves
-    /// images under this matrix: each is off by at most γ₄(Σ|mᵢⱼ xⱼ| + |tᵢ|), twice over.
+    /// Arvo's method (Graphics Gems, "Transforming axis-aligned bounding boxes") gives the box. The box is then widened
+    /// by the rounding of the sums, and of the points on the surfaces inside, which are images under this matrix, too.
+    /// Each rounding is at most γ₄(Σ|mᵢⱼ xⱼ| + |tᵢ|), so the box is widened by twice as much.
     pub fn image(&self, m: &Affine) -> Aabb {
         if self.is_empty() {
             return Aabb::EMPTY;
@@ -246,7 +246,7 @@ impl Aabb {
         (near <= far).then_some((near, far))
     }
 
-    /// The box grown by the rounding of the numbers that made it.
+    /// The box grown by the rounding of the numbers that made it, whose size is `magnitude`.
     #[inline]
     pub fn padded_by(&self, magnitude: [f64; 3]) -> Aabb {
         Aabb {
@@ -260,7 +260,7 @@ impl Aabb {
     }
 }
 
-/// Overflow and undefined sums become the infinity that is safe to assume.
+/// Replaces an undefined sum, which comes of overflow, by the infinity that is safe to assume.
 #[inline]
 fn outwards(x: f64, safe: f64) -> f64 {
     if x.is_nan() { safe } else { x }

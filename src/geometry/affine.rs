@@ -7,8 +7,8 @@ use super::number::Real;
 use super::vec::Vec3;
 use wide::f64x4;
 
-/// How far a line may be from the one that is meant: what its way into this space has rounded.
-/// Both bound every component.
+/// A bound on how far a line may be from the one that is meant, since the maps into this space have rounded it. Each
+/// number bounds every component.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Slack<R = f64> {
     pub origin: R,
@@ -20,12 +20,12 @@ pub struct Slack<R = f64> {
 pub struct Affine<R = f64> {
     pub rows: [Vec3<R>; 3],
     pub offset: Vec3<R>,
-    /// Whether each row takes one coordinate as it is, or times a power of two: such a row rounds no product.
+    /// For each row, whether it takes a single coordinate, as it is or times a power of two: the products of such a row
+    /// are not rounded.
     plain: [bool; 3],
-    /// The greatest of the sums Σⱼ|mᵢⱼ|: how much longer, at most, the largest component of a
-    /// vector becomes.
+    /// The greatest of the sums Σⱼ|mᵢⱼ|: an upper bound on the factor by which the largest component of a vector grows.
     spread: R,
-    /// Whether the map does nothing but move.
+    /// Whether the map is a translation.
     moves: bool,
 }
 
@@ -86,21 +86,21 @@ impl<R: Real> Affine<R> {
         self.rows[0] * n[0] + self.rows[1] * n[1] + self.rows[2] * n[2]
     }
 
-    /// The unit normal that a normal under the inverse of this map turns into; zero only where the
-    /// numbers of the map have been lost.
+    /// The unit normal into which the inverse of this map turns a normal. It is zero only where the numbers of the map
+    /// have been lost.
     #[inline]
     pub fn unit_normal(&self, n: Vec3<R>) -> Vec3<R> {
         let image = self.transposed(n);
         let size = image.abs().max_component();
-        // Above u⁴ what products lose by underflow is far below a unit in the last place.
+        // If the image is above u⁴, products lose far less than a unit in the last place by underflow.
         if size >= R::ROUNDOFF.square().square() && image.is_finite() {
             return image.unit();
         }
         self.unit_normal_scaled(n)
     }
 
-    /// [`Affine::unit_normal`] where products overflow or underflow: rows and components are taken in units of their
-    /// own.
+    /// [`Affine::unit_normal`] where products overflow or underflow: each row and each component is scaled by a power
+    /// of two of its own.
     #[cold]
     fn unit_normal_scaled(&self, n: Vec3<R>) -> Vec3<R> {
         let size = |v: Vec3<R>| exponent(v.abs().max_component().to_f64());
@@ -130,10 +130,10 @@ impl<R: Real> Affine<R> {
         Vec3([size(0), size(1), size(2)])
     }
 
-    /// The slack of a line behind the map: what it was before, and what the map rounds, its own
-    /// numbers included. That is γ₅ of the sizes of the terms of each component, or, where a
-    /// coordinate is only moved, γ₄: more than the sum rounds, but what the scene's numbers may have
-    /// been rounded by before. Nothing where it stays, or where the sum is known to be exact.
+    /// The slack of the image of a line: the slack before, carried along, and what the map rounds, the map's own
+    /// numbers included. The map rounds at most γ₅ of the sizes of the terms of each component. Where a coordinate is
+    /// only moved, γ₄ is taken. This is more than the sum rounds, but the scene's numbers may have been rounded before.
+    /// Nothing is rounded where a coordinate stays, or where the sum is known to be exact.
     #[inline]
     pub fn slack(&self, origin: Vec3<R>, direction: Vec3<R>, before: Slack<R>) -> Slack<R> {
         let (o, d) = (origin.abs(), direction.abs());
@@ -151,7 +151,7 @@ impl<R: Real> Affine<R> {
         self.carried(point, vector, before)
     }
 
-    /// The roundings of the map, and the slack before it, carried along.
+    /// The slack behind the map: the roundings `point` and `vector` of the map, and the slack before it, carried along.
     #[inline]
     fn carried(&self, mut point: R, mut vector: R, before: Slack<R>) -> Slack<R> {
         if before != Slack::default() {
@@ -176,7 +176,7 @@ impl<R: Real> Affine<R> {
     /// (γ₃ + 1)|M| error + γ₄(|M||p| + |offset|) (pbrt-v4, section 6.8.6).
     #[inline]
     pub fn point_error(&self, p: Vec3<R>, error: Vec3<R>) -> Vec3<R> {
-        // Small before they are added up: sizes of terms may overflow whose errors do not.
+        // The factors are applied before the sum: sizes of terms may overflow whose errors do not.
         let before = error * (R::ONE + R::gamma(3)) + p.abs() * R::gamma(4);
         self.sizes(before) + self.offset.abs() * R::gamma(4)
     }
@@ -234,7 +234,7 @@ impl<R: Real> Affine<R> {
             rows[c] = Vec3(inverse[i]);
         }
         let linear = Affine::of(rows, Vec3::ZERO);
-        // Zero has no sign here, lest −0 turn up as an origin.
+        // The subtraction from zero avoids −0, which might turn up as an origin.
         let offset = linear.vector(self.offset).map(|x| R::ZERO - x);
         let finite = offset.is_finite() && rows.iter().all(|row| row.is_finite());
         finite.then(|| Affine::of(rows, offset))
@@ -242,8 +242,8 @@ impl<R: Real> Affine<R> {
 }
 
 impl Affine<f64> {
-    /// The images of a point and a vector, the reciprocals of the latter, and [`slack`](Self::slack): the same numbers,
-    /// the three axes side by side.
+    /// The [`slack`](Self::slack), the images of a point and a vector, and the reciprocals of the vector's image. The
+    /// numbers are those of the single functions, but the three axes are computed side by side.
     #[inline]
     pub fn image(&self, origin: Vec3, direction: Vec3, before: Slack) -> (Slack, Vec3, Vec3, Vec3) {
         let lanes = |v: Vec3| f64x4::new([v[0], v[1], v[2], 0.0]);

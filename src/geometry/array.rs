@@ -1,7 +1,7 @@
-//! The little algebra of plain arrays that a scene's geometry needs: a function of every element, vectors of doubles.
+//! Vector algebra on plain arrays of doubles, as far as a scene's geometry needs it, and a function of every element.
 
-/// The same function of every element. `[T; N]::map` and `array::from_fn` compute the same, but are inlined only where the
-/// compiler has put them into the codegen unit of their caller. An empty array does not compile.
+/// Applies a function to every element. `[T; N]::map` and `array::from_fn` compute the same, but are inlined only where
+/// the compiler has put them into the codegen unit of their caller. An empty array does not compile.
 #[inline]
 pub fn each<T: Copy, U: Copy, const N: usize>(all: [T; N], mut f: impl FnMut(T) -> U) -> [U; N] {
     const { assert!(N > 0) };
@@ -42,7 +42,7 @@ pub fn length(a: [f64; 3]) -> f64 {
     libm::hypot(libm::hypot(a[0], a[1]), a[2])
 }
 
-/// The direction of a vector, whatever its length; `None` where it has none.
+/// The unit vector in the direction of a vector of any length. `None` if the vector is zero or not finite.
 pub fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     if !(largest > 0.0 && largest.is_finite()) {

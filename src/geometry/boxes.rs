@@ -1,10 +1,10 @@
-//! Boxes to be looked up by where they are.
+//! Boxes that are looked up by their places.
 
 use super::aabb::Aabb;
 use super::bvh::Bvh;
 use std::ops::ControlFlow;
 
-/// Numbered boxes: a hierarchy of those that end, and the others. Empty ones are nowhere.
+/// Numbered boxes: a hierarchy of the finite ones, and a list of the infinite ones. Empty boxes are left out.
 pub struct Boxes {
     finite: Bvh,
     endless: Vec<u32>,
@@ -20,7 +20,7 @@ impl Boxes {
         }
     }
 
-    /// Adds the numbers of all boxes that may overlap or touch one; says how many steps that took.
+    /// Adds to `out` the numbers of all boxes that may overlap or touch the box `around`. Returns the number of steps.
     pub fn near(&self, around: &Aabb, out: &mut Vec<u32>) -> usize {
         let steps = self.near_finite(around, out);
         out.extend_from_slice(&self.endless);

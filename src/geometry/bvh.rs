@@ -5,19 +5,19 @@ use super::array::each;
 use crate::parallel;
 use std::ops::ControlFlow;
 
-/// Boxes in one leaf at most.
+/// The most boxes in one leaf.
 const LEAF: usize = 4;
-/// Bins of the surface area heuristic.
+/// The number of bins of the surface area heuristic.
 const BINS: usize = 16;
-/// Numbers of boxes whose two halves are built on two threads. More boxes would take too much memory while their nodes
-/// are put together.
+/// The numbers of boxes for which the two halves are built on two threads. With more boxes, their nodes would take too
+/// much memory while they are put together.
 const SHARED: std::ops::RangeInclusive<usize> = 1024..=131_072;
 
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
     pub bounds: Aabb,
-    /// An inner node (`count` = 0): its right child; the left one comes next. A leaf: where its
-    /// items begin in [`Bvh::items`].
+    /// For an inner node (`count` = 0), the index of its right child; the left child is the next node. For a leaf, the
+    /// place in [`Bvh::items`] where its items begin.
     pub index: u32,
     pub count: u32,
 }
@@ -57,8 +57,8 @@ impl Bvh {
         }
     }
 
-    /// Calls for every item whose box overlaps or touches one, and for some of their neighbours, in the
-    /// order of the tree, until it is told to stop.
+    /// Calls `found` for every item whose box overlaps or touches the box `around`, and for some of their neighbours,
+    /// in the order of the tree, until `found` stops the visit.
     pub fn visit(
         &self,
         around: &Aabb,
@@ -67,7 +67,7 @@ impl Bvh {
         self.visit_below(around, |_| true, found)
     }
 
-    /// [`visit`](Self::visit), but below those nodes alone that `wanted` accepts.
+    /// [`visit`](Self::visit), but only at and below the nodes that `wanted` accepts.
     pub fn visit_below(
         &self,
         around: &Aabb,
@@ -94,7 +94,8 @@ impl Bvh {
     }
 }
 
-/// The nodes of boxes that stand in all boxes from `first` on: those of both halves at the same time, `forks` times.
+/// Builds the nodes of a part of all boxes, which begins there at the index `first`. The two halves are built at the
+/// same time, on `forks` levels.
 fn nodes_shared(boxes: &mut [(u32, Aabb)], first: usize, leaf: usize, forks: u32) -> Vec<Node> {
     let middle = (forks > 0 && SHARED.contains(&boxes.len())).then(|| split(boxes));
     let Some(middle) = middle.flatten() else {
@@ -125,11 +126,11 @@ fn nodes_shared(boxes: &mut [(u32, Aabb)], first: usize, leaf: usize, forks: u32
     nodes
 }
 
-/// The nodes of boxes that stand in all boxes from `first` on. Without recursion, since equal boxes can make any tree
-/// deep.
+/// Builds the nodes of a part of all boxes, which begins there at the index `first`. There is no recursion, since equal
+/// boxes can make any tree deep.
 fn nodes_of(boxes: &mut [(u32, Aabb)], first: usize, leaf: usize) -> Vec<Node> {
     let mut nodes: Vec<Node> = Vec::with_capacity(boxes.len());
-    // Ranges of `boxes` still to be made nodes of, and the parent whose right child each is.
+    // The ranges of `boxes` that have no nodes yet, each with the parent whose right child it is.
     let mut pending = vec![(0, boxes.len(), None)];
     while let Some((start, end, parent)) = pending.pop() {
         let slice = &mut boxes[start..end];
@@ -166,7 +167,7 @@ fn hull(boxes: &[(u32, Aabb)]) -> Aabb {
     boxes.iter().fold(Aabb::EMPTY, |b, x| grown(b, &x.1))
 }
 
-/// [`Aabb::hull`] of two boxes of which none is empty: EMPTY grows, too.
+/// [`Aabb::hull`] without a test for empty boxes. Of these, only [`Aabb::EMPTY`] itself is allowed.
 #[inline]
 fn grown(b: Aabb, other: &Aabb) -> Aabb {
     let less = |a: f64, b: f64| if a < b { a } else { b };
@@ -177,7 +178,7 @@ fn grown(b: Aabb, other: &Aabb) -> Aabb {
     }
 }
 
-/// Parts the boxes in two and says where the second half begins; `None` where all centres agree.
+/// Divides the boxes into two parts and returns the index where the second one begins. `None` if all centres agree.
 fn split(boxes: &mut [(u32, Aabb)]) -> Option<usize> {
     let mut centres = Aabb::EMPTY;
     for (_, b) in boxes.iter() {
@@ -205,7 +206,7 @@ fn split(boxes: &mut [(u32, Aabb)]) -> Option<usize> {
         slot.0 += 1;
         slot.1 = grown(slot.1, b);
     }
-    // What lies left of each cut, and what lies right of it: swept from either end.
+    // The number and the cost of the boxes on one side of each cut, swept from either end.
     let sweep = |bins: &mut dyn Iterator<Item = &(usize, Aabb)>| {
         let mut all = (0, Aabb::EMPTY);
         let mut costs = [(0, 0.0); BINS];

@@ -48,7 +48,7 @@ impl Dd {
         Dd::settled(s, e)
     }
 
-    /// A pair whose high part may have left the finite numbers, where the low part means nothing.
+    /// A number from its two parts. If the high part is not finite, the low part means nothing and is dropped.
     #[inline]
     fn settled(high: f64, low: f64) -> Dd {
         Dd {
@@ -117,7 +117,7 @@ impl Div for Dd {
         }
         let product = other * Dd::from(quotient);
         if !product.high.is_finite() {
-            // The greatest numbers, rounded up.
+            // The greatest numbers, whose product with the quotient is rounded up to infinity.
             return Dd::from(quotient);
         }
         let rest = (self.high - product.high) + (self.low - product.low);
@@ -203,7 +203,7 @@ impl Real for Dd {
     #[inline]
     fn sqrt(self) -> Dd {
         let root = self.high.sqrt();
-        // Zeros, infinities and NaN are their own answers.
+        // For zero, infinity and NaN the root in doubles is the answer.
         if root == 0.0 || !root.is_finite() {
             return Dd::from(root);
         }
@@ -227,7 +227,7 @@ impl Real for Dd {
         self.high.is_finite()
     }
 
-    /// Whether the sum is exact in double-double: that of two doubles is.
+    /// Whether the sum is exact in double-double, as the sum of two doubles is.
     #[inline]
     fn adds_exactly(self, other: Dd) -> bool {
         self.low == 0.0 && other.low == 0.0 && (self.high + other.high).is_finite()

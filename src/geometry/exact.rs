@@ -1,10 +1,10 @@
-//! Signs that are decided exactly: of what is made of doubles by sums and products alone.
+//! Exact signs of numbers that are made of doubles by sums and products alone.
 
 use std::array;
 
 use dashu_int::{IBig, Sign};
 
-/// Doubles as whole numbers, each times the same power of two. They are finite.
+/// Finite doubles as whole numbers: all are multiplied by one power of two.
 pub fn whole<const N: usize>(numbers: [f64; N]) -> [IBig; N] {
     let parts = numbers.map(parts);
     let exponents = parts.iter().filter(|p| p.0 != 0).map(|p| p.1);
@@ -16,7 +16,7 @@ pub fn whole<const N: usize>(numbers: [f64; N]) -> [IBig; N] {
     })
 }
 
-/// The whole number and the exponent of two that a finite double is made of.
+/// The whole number m and the exponent e of a finite double m · 2ᵉ.
 fn parts(x: f64) -> (i64, i32) {
     const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
     let bits = x.to_bits();
@@ -30,7 +30,7 @@ fn parts(x: f64) -> (i64, i32) {
     (mantissa, exponent - 1075)
 }
 
-/// Whether a number is above, below or at zero: 1, -1 or 0.
+/// The sign of a number: 1, -1 or 0.
 pub fn sign(x: &IBig) -> i32 {
     match x.sign() {
         _ if x.is_zero() => 0,
@@ -39,11 +39,10 @@ pub fn sign(x: &IBig) -> i32 {
     }
 }
 
-/// The determinant of doubles given row by row, times a power of two: by elimination without
-/// fractions (Bareiss, "Sylvester's identity and multistep integer-preserving Gaussian elimination",
-/// 1968).
+/// The determinant of a matrix of doubles, times a power of two, by elimination without fractions (Bareiss,
+/// "Sylvester's identity and multistep integer-preserving Gaussian elimination", 1968).
 pub fn determinant<const N: usize>(rows: [[f64; N]; N]) -> IBig {
-    // Each row times a power of two of its own: what is large in one makes no other longer.
+    // Each row is multiplied by a power of two of its own, so that large numbers in one row make no other row longer.
     let mut m = rows.map(whole);
     let mut before = IBig::ONE;
     let mut swapped = false;
@@ -65,7 +64,7 @@ pub fn determinant<const N: usize>(rows: [[f64; N]; N]) -> IBig {
     if swapped { -before } else { before }
 }
 
-/// Whether two vectors point along one line, either way, or one has no direction.
+/// Whether two vectors point along one line, in equal or opposite directions, or one of them is zero.
 pub fn parallel(a: [f64; 3], b: [f64; 3]) -> bool {
     let (a, b) = (whole(a), whole(b));
     (0..3).all(|i| {
@@ -74,7 +73,7 @@ pub fn parallel(a: [f64; 3], b: [f64; 3]) -> bool {
     })
 }
 
-/// Whether points lie in one line; of less than two they do.
+/// Whether all points lie in one line, as fewer than three always do.
 pub fn collinear<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> bool {
     let mut points = points.into_iter();
     let Some(first) = points.next() else {
@@ -88,7 +87,7 @@ pub fn collinear<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> 
 }
 
 fn in_line<const N: usize>(a: [f64; N], b: [f64; N], c: [f64; N]) -> bool {
-    // Each coordinate times a power of two of its own, which keeps lines lines.
+    // Each coordinate is multiplied by a power of two of its own, which turns lines into lines.
     let differences: [[IBig; 2]; N] = array::from_fn(|i| {
         let [a, b, c] = whole([a[i], b[i], c[i]]);
         [b - &a, c - a]

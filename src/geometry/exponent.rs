@@ -3,7 +3,7 @@
 use super::number::Real;
 use super::vec::Vec3;
 
-/// The k with 2ᵏ ≤ |x| < 2ᵏ⁺¹, for a finite x; that of the least double for zero.
+/// The k with 2ᵏ ≤ |x| < 2ᵏ⁺¹, for a finite x. For zero, the k of the least double.
 #[inline]
 pub fn exponent(x: f64) -> i32 {
     const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
@@ -11,7 +11,7 @@ pub fn exponent(x: f64) -> i32 {
     if field(x) > 0 {
         return field(x) - 1023;
     }
-    // Below the normal numbers: one factor of 2⁶⁴ makes it one.
+    // A factor of 2⁶⁴ makes a subnormal number normal.
     let lifted = x * (1u128 << 64) as f64;
     (field(lifted) - 1023 - 64).max(-1074)
 }
@@ -19,8 +19,7 @@ pub fn exponent(x: f64) -> i32 {
 /// x · 2ᵏ, rounded only where the result leaves the normal numbers.
 #[inline]
 pub fn shifted<R: Real>(mut x: R, mut k: i32) -> R {
-    // Every number has 2^±100. Less than that at a time leaves no bits behind on the way to a
-    // normal number.
+    // Every kind of number has 2^±100. Steps no larger than that lose no bits on the way to a normal number.
     const STEP: i32 = 100;
     while k != 0 {
         let part = k.clamp(-STEP, STEP);

@@ -1,9 +1,8 @@
 //! Lines, and what they keep of their history.
 //!
-//! A map into the space of an object rounds a line. What the shape there cannot decide in double-double
-//! is decided in quad-double, which is of no use for a line that has lost those digits. So a line in
-//! double-double keeps where it comes from, and goes through the last map again if it is asked for more
-//! digits.
+//! A map into the space of an object rounds a line. What the shape there cannot decide in double-double is decided in
+//! quad-double, which is of no use if the map has rounded the further digits away. So a line in double-double keeps the
+//! line before the last map, and goes through that map again when more digits are needed.
 
 use super::affine::{Affine, Slack};
 use super::dd::Dd;
@@ -19,7 +18,7 @@ pub struct Line<R: Traced = f64> {
     pub origin: Vec3<R>,
     /// A vector of any length but zero.
     pub direction: Vec3<R>,
-    /// 1 / direction, component by component; infinite where that is zero.
+    /// 1 / direction, component by component; infinite where the direction's component is zero.
     pub inverse: Vec3<R>,
     pub slack: Slack<R>,
     history: R::History,
@@ -27,16 +26,16 @@ pub struct Line<R: Traced = f64> {
 
 /// A number that lines are traced in.
 pub trait Traced: Real {
-    /// The part of the space it comes from that a line keeps.
+    /// The record that a line keeps of the space from which it comes.
     type History: Copy + Debug + Default + Send + Sync;
 
     /// The history of the image of a line under a map.
     fn remember(line: &Line<Self>, map: &Affine<Self>) -> Self::History;
 
-    /// A line in quad-double, as it has come into its space.
+    /// The line in quad-double, in the space where it is, with as many digits as its history allows.
     fn closer(line: &Line<Self>) -> Line<Qd>;
 
-    /// The image of a line under a map, with what the map rounds.
+    /// The image of a line under a map. Its slack includes what the map rounds.
     fn image(line: &Line<Self>, map: &Affine<Self>) -> Line<Self> {
         Line {
             slack: map.slack(line.origin, line.direction, line.slack),
@@ -45,7 +44,7 @@ pub trait Traced: Real {
         }
     }
 
-    /// A line in doubles, as bounds are met in them whatever the precision; what is lost is in its slack.
+    /// The line in doubles, in which bounds are tested at every precision. Its slack includes the digits that are lost.
     fn coarse(line: &Line<Self>) -> Cow<'_, Line> {
         let mut coarse: Line = line.cast();
         let lost = |exact: Vec3<Self>, rounded: Vec3| {
@@ -58,7 +57,7 @@ pub trait Traced: Real {
     }
 }
 
-/// Numbers whose lines keep nothing: what the maps have rounded stays as it is.
+/// Implements [`Traced`] for numbers whose lines keep no history: the digits that maps round away are lost.
 macro_rules! without_history {
     ($($number:ty $(as $same:ty)?),+) => {$(
         impl Traced for $number {
@@ -117,8 +116,8 @@ impl Traced for Dd {
         let mut from: Line<Dd> = Line::new(before.origin, before.direction);
         from.slack = before.slack;
         let mut line = from.cast::<Qd>().through(&before.map.cast());
-        // The bounds of the map are for products that do not underflow. Those here lose some tens
-        // of the least double, of which this is 2⁵².
+        // The map's bounds hold for products that do not underflow. Those that do lose some tens of the least double;
+        // the number added here is 2⁵² times the least double.
         let lost = Qd::of(f64::MIN_POSITIVE);
         line.slack.origin += lost;
         line.slack.direction += lost;
@@ -127,7 +126,7 @@ impl Traced for Dd {
 }
 
 impl<R: Traced> Line<R> {
-    /// A line that is exactly what is meant.
+    /// A line without slack: it is exactly the one that is meant.
     #[inline]
     pub fn new(origin: Vec3<R>, direction: Vec3<R>) -> Line<R> {
         Line {
@@ -147,7 +146,7 @@ impl<R: Traced> Line<R> {
         line
     }
 
-    /// Whether all of its numbers are finite and it has a direction.
+    /// Whether all numbers of the line are finite and its direction is not zero.
     #[inline]
     pub fn is_sound(&self) -> bool {
         self.origin.is_finite() && self.direction.is_finite() && self.direction.any()
@@ -169,11 +168,11 @@ impl<R: Traced> Line<R> {
         }
     }
 
-    /// The line in another space, with what the map rounds.
+    /// The image of the line in another space. Its slack includes what the map rounds.
     #[inline]
     pub fn through(&self, map: &Affine<R>) -> Line<R> {
         if map.moves() {
-            // The usual case, and the cheapest.
+            // A map that only moves is the usual case, and the cheapest.
             let size = self.origin.abs() + map.offset.abs();
             let mut rounded = R::gamma(4) * (size[0] + size[1] + size[2]);
             if (0..3).all(|i| map.moves_exactly(i, self.origin)) {
@@ -192,13 +191,14 @@ impl<R: Traced> Line<R> {
         R::image(self, map)
     }
 
-    /// The line in quad-double, as it has come into this space.
+    /// The line in quad-double, in this space, with as many digits as its history allows.
     pub fn closer(&self) -> Line<Qd> {
         R::closer(self)
     }
 
-    /// Whether the maps on its way here may have moved the line, at a point of it, by more than that many unit
-    /// roundoffs of the distance of the point, or of the line's origin, from the origin of this space.
+    /// Whether the maps into this space may have moved the point of the line at `t` by more than `roundoffs` unit
+    /// roundoffs of the distance of the point, or of the line's origin if that is larger, from the origin of this
+    /// space.
     #[inline]
     pub fn is_blurred_at(&self, t: R, roundoffs: f64) -> bool {
         if self.slack.direction == R::ZERO {
@@ -208,16 +208,16 @@ impl<R: Traced> Line<R> {
             self.slack.direction * t.abs(),
             R::of(roundoffs) * R::ROUNDOFF,
         );
-        // The origin is the farther one of most lines, and quicker to tell.
+        // On most lines the origin is farther away than the point, and it is tested more quickly.
         let reaches = |p: Vec3<R>| (0..3).any(|i| drift <= unit * p[i].abs());
         !reaches(self.origin) && !reaches(self.at(t))
     }
 
-    /// A bound on how far, along each axis, the line is from the one that is meant, at its points
-    /// whose coordinates are at most `reach` in size.
+    /// A bound on how far, along each axis, the line is from the one that is meant, at those of its points whose
+    /// coordinates are at most `reach` in absolute value. Infinite if there is no bound.
     ///
-    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components. There is no bound
-    /// where a quarter of the direction is in doubt.
+    /// Such a point is at |t| ≤ √3 (|o| + reach) / |d|, by largest components. There is no bound where the slack of the
+    /// direction is more than a quarter of its largest component.
     #[inline]
     pub fn drift(&self, reach: R) -> R {
         if self.slack == Slack::default() {
@@ -230,7 +230,7 @@ impl<R: Traced> Line<R> {
         let lesser = |a: R, b: R| if a < b { a } else { b };
         let inverse = lesser(lesser(x, y), z);
         let bend = self.slack.direction * inverse;
-        // Small before they are added up, lest the largest sizes overflow.
+        // The factor is applied before the sum, lest the largest sizes overflow.
         let share = bend * R::of(1.75);
         let drift = self.slack.origin + share * o + share * reach;
         if bend <= R::of(0.25) && drift.is_finite() {

@@ -78,8 +78,8 @@ impl Matrix {
         })
     }
 
-    /// Whether the linear part turns and does nothing else: no entry of MᵀM is further from the
-    /// identity's than this, and M does not mirror.
+    /// Whether the linear part is a rotation: no entry of MᵀM differs from the identity's by more than `tolerance`, and
+    /// M does not mirror.
     pub fn is_rotation(&self, tolerance: f64) -> bool {
         let m = &self.0;
         let dot = |i: usize, j: usize| (0..3).map(|k| m[k][i] * m[k][j]).sum::<f64>();
@@ -100,7 +100,7 @@ impl Matrix {
         let m = &self.0;
         let row = |i: usize| [m[i][0], m[i][1], m[i][2]];
         let sizes = Matrix(m.map(|r| r.map(f64::abs)));
-        // Of the products' sizes, no more than a few roundings are lost, unless these underflow.
+        // Rounding changes the result by no more than a few roundings of the products' sizes, unless these underflow.
         let (x, bound) = (
             self.determinant3(),
             16.0 * f64::EPSILON * sizes.permanent3(),
@@ -117,7 +117,7 @@ impl Matrix {
         }
     }
 
-    /// The determinant of the upper left 3×3 block with all its products added up.
+    /// The permanent of the upper left 3×3 block: the determinant with all products added.
     fn permanent3(&self) -> f64 {
         let m = &self.0;
         m[0][0] * (m[1][1] * m[2][2] + m[1][2] * m[2][1])
@@ -140,8 +140,8 @@ impl Matrix {
         }
     }
 
-    /// Whether an affine matrix is so far from singular, as nearly all are, that nothing more needs to be computed: it is
-    /// regular, and [`Matrix::inverse`] finds no pivot that is zero.
+    /// Whether an affine matrix is so far from singular, as nearly all are, that nothing more needs to be computed: it
+    /// is regular, and [`Matrix::inverse`] finds no pivot that is zero.
     ///
     /// With complete pivoting the pivots are those of a matrix whose entries differ by less than 8n³ρu · 10³ < 10⁻⁹
     /// (n = 4, growth ρ ≤ 5, u = 2⁻⁵³; N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3). Its

@@ -1,14 +1,15 @@
-//! The ground that everything stands on: numbers, vectors, maps, boxes and hierarchies of boxes.
+//! Numbers, vectors, maps, boxes and hierarchies of boxes: the ground on which all other modules stand.
 //!
 //! Nothing here knows what a scene is.
 //!
-//! - **Numbers.** [`number`]: what the geometric kernel computes with; [`dd`] and [`qd`] are double-double and
-//!   quad-double, [`exponent`] scales by powers of two. [`exact`] and [`sign`] decide in numbers of any length what
-//!   doubles cannot.
-//! - **Vectors and maps.** [`vec`](mod@vec) is generic over the number, [`array`](mod@array) the algebra of plain `[f64; 3]`;
-//!   [`matrix`] is 4×4, [`affine`] an affine map that knows what it rounds, [`line`](mod@line) a line that goes through such maps.
-//! - **Boxes.** [`aabb`], the hierarchy [`bvh`] over them, and [`boxes`], which looks them up by place; [`wide_bvh`] is the hierarchy that
-//!   rays walk.
+//! - **Numbers.** [`number`]: the kinds of numbers with which the geometric kernel computes; [`dd`] and [`qd`] are
+//!   double-double and quad-double, [`exponent`] scales by powers of two. [`exact`] and [`sign`] decide in numbers of
+//!   any length what doubles cannot.
+//! - **Vectors and maps.** [`vec`](mod@vec) is generic over the number, [`array`](mod@array) the algebra of plain
+//!   `[f64; 3]`; [`matrix`] is 4×4, [`affine`] an affine map that knows what it rounds, [`line`](mod@line) a line that
+//!   goes through such maps.
+//! - **Boxes.** [`aabb`], the hierarchy [`bvh`] over them, and [`boxes`], which looks them up by place; [`wide_bvh`] is
+//!   the hierarchy that rays walk.
 //! - [`icosahedron`]: the facets that geodesic spheres begin with.
 
 pub mod aabb;

@@ -35,19 +35,19 @@ pub trait Real:
     fn of(x: f64) -> Self;
     /// The nearest double.
     fn to_f64(self) -> f64;
-    /// The number as the sum of a double and what is left of it: exact, but for quad-doubles.
+    /// The number as the sum of the nearest double and the rest, which is a double, too: exact, but for quad-doubles.
     fn parts(self) -> (f64, f64);
-    /// The nearest number to the sum of such parts.
+    /// The nearest number to the sum of these two parts.
     fn of_parts(parts: (f64, f64)) -> Self;
     /// The square root; NaN for negative numbers.
     fn sqrt(self) -> Self;
     fn abs(self) -> Self;
-    /// self · a + b, rounded once where the number can.
+    /// self · a + b, rounded only once if this kind of number allows it.
     fn mul_add(self, a: Self, b: Self) -> Self;
     fn is_finite(self) -> bool;
 
-    /// Whether the sum of two numbers is known to be exact. Doubles are never asked to know: what is
-    /// closer than they can tell is decided in double-double.
+    /// Whether the sum of two numbers is known to be exact. Only double-doubles know it: what doubles cannot tell is
+    /// decided there.
     #[inline]
     fn adds_exactly(self, _other: Self) -> bool {
         false
@@ -63,7 +63,7 @@ pub trait Real:
         Self::ONE / self
     }
 
-    /// The lesser of two numbers; the other one where one is NaN.
+    /// The lesser of two numbers. If one of them is NaN, the other one.
     #[inline]
     fn min(self, other: Self) -> Self {
         if other < self || self.is_nan() {
@@ -73,7 +73,7 @@ pub trait Real:
         }
     }
 
-    /// The greater of two numbers; the other one where one is NaN.
+    /// The greater of two numbers. If one of them is NaN, the other one.
     #[inline]
     fn max(self, other: Self) -> Self {
         if other > self || self.is_nan() {

@@ -1,10 +1,9 @@
 //! Quad-double numbers: the unevaluated sum of four doubles, about 64 digits.
 //!
-//! They decide the few lines that pass a shape so closely that the squares of the distances are
-//! below what double-double can tell. Made to be simple rather than fast: every operation collects
-//! the terms of its result exactly and renormalises them by repeated error-free vector sums (Ogita,
-//! Rump and Oishi, "Accurate sum and dot product", SIAM J. Sci. Comput. 26(6), 2005); u = 2⁻⁵³
-//! below.
+//! Quad-doubles decide about the few lines that pass a shape so closely that the squares of the distances are below
+//! what double-double can tell. They are made to be simple rather than fast: every operation collects the terms of its
+//! result exactly and renormalises them by repeated error-free vector sums (Ogita, Rump and Oishi, "Accurate sum and
+//! dot product", SIAM J. Sci. Comput. 26(6), 2005); u = 2⁻⁵³ below.
 
 use super::array::each;
 use super::dd::{Dd, two_product, two_sum};
@@ -12,22 +11,20 @@ use super::number::Real;
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// The sum of its parts, each at most half a unit in the last place of the one before. An infinite
-/// or undefined number is its first part alone. The exponents are those of doubles, so what reaches
-/// below about 1e-290 loses digits.
+/// The sum of its parts, each at most half a unit in the last place of the one before. An infinite or undefined number
+/// is its first part alone. The exponents are those of doubles, so digits below about 1e-290 are lost.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Qd([f64; PARTS]);
 
 const PARTS: usize = 4;
 
 impl Qd {
-    /// The sum of the terms, the larger ones first as far as that is known: exact but for what is
-    /// beyond the fourth part, which is at most u⁴ of the sum and a little.
+    /// The sum of the terms, with the larger ones first as far as their sizes are known. It is exact but for the part
+    /// beyond the fourth double, which is hardly more than u⁴ of the sum.
     fn sum_of<const N: usize>(mut terms: [f64; N]) -> Qd {
-        // Each pass is exact. It carries the terms upwards, and where it changes nothing, no term
-        // reaches above half of the last place of the one before; zeros have sunk to the end. A few
-        // passes do that; that there are not more than twice as many as terms is to be sure of an
-        // end.
+        // Each pass is exact and carries the terms upwards. When a pass changes nothing, no term is more than half a
+        // unit in the last place of the one before, and zeros have sunk to the end. A few passes are enough; the limit,
+        // twice the number of terms, makes sure that the loop ends.
         for _ in 0..2 * N {
             let mut settled = true;
             for i in (1..N).rev() {
@@ -121,8 +118,8 @@ impl Mul for Qd {
 
 impl Div for Qd {
     type Output = Qd;
-    /// Long division, a double at a time. Each rest is at most 2u of the one before and rounded by
-    /// some u⁴ of the dividend, which is all that is left of the error after the fifth.
+    /// Long division, a double at a time. Each remainder is at most 2u of the one before, and is rounded by some u⁴ of
+    /// the dividend. After the fifth step only this rounding is left of the error.
     fn div(self, other: Qd) -> Qd {
         let first = self.0[0] / other.0[0];
         if !first.is_finite() || !other.0[0].is_finite() {
@@ -134,7 +131,7 @@ impl Div for Qd {
             rest -= other.times(quotient[i - 1]);
             let next = rest.0[0] / other.0[0];
             if !next.is_finite() {
-                // The greatest numbers, rounded up.
+                // The greatest numbers, whose product with the quotient is rounded up to infinity.
                 return Qd::of(first);
             }
             quotient[i] = next;
@@ -210,11 +207,11 @@ impl Real for Qd {
         Qd([high, low, 0.0, 0.0])
     }
 
-    /// Newton's method from the double root, with the slope in doubles: each of four steps divides the
-    /// error by 2⁵⁰.
+    /// Newton's method from the root in doubles, with the slope in doubles, too: each of four steps divides the error
+    /// by 2⁵⁰.
     fn sqrt(self) -> Qd {
         let root = self.0[0].sqrt();
-        // Zeros, infinities and NaN are their own answers.
+        // For zero, infinity and NaN the root in doubles is the answer.
         if root == 0.0 || !root.is_finite() {
             return Qd::of(root);
         }

@@ -1,4 +1,4 @@
-//! Bundles of rays, as the boxes of a tree see them.
+//! Bundles of rays that are tested against the boxes of a tree.
 
 use super::aabb::Aabb;
 use super::array::each;
@@ -9,30 +9,34 @@ use super::wide_bvh::{
 };
 use wide::f32x8;
 
-/// Many rays at once: at every t their points are in a box whose corners move along lines. In single precision, with the
-/// corners moved outwards as far as they may be off: see [`Beam`](super::wide_bvh::Beam).
+/// Many rays at once. At every t the points of all rays are in a box whose corners move along lines. The corners are in
+/// single precision, and moved outwards by as much as they may be off, like the origin of a
+/// [`Beam`](super::wide_bvh::Beam).
 #[derive(Debug, Clone, Copy)]
 pub struct Shaft {
-    /// The sides of the upper corner, which is held against the lower sides of boxes, and of the lower corner.
+    /// The upper corner, which is compared with the lower sides of boxes, and the lower corner, which is compared with
+    /// the upper sides.
     sides: [Side; 2],
-    /// The shaft's own parameter is this times that of the rays: a power of two.
+    /// The factor from the parameter t of the rays to the parameter of the shaft: a power of two.
     pace: f64,
     /// The reciprocal of `pace`.
     unpace: f64,
 }
 
-/// A corner, as the sides of boxes see it.
+/// A moving corner, as it is compared with the sides of boxes.
 #[derive(Debug, Clone, Copy)]
 struct Side {
     origin: [f32; 3],
     inverse: [f32; 3],
-    /// For each axis, whether it comes to the inner side of a box there, and does not leave it.
+    /// For each axis, whether the corner moves from outside to inside when it passes the side of a box with which it is
+    /// compared.
     enters: [bool; 3],
 }
 
 impl Shaft {
-    /// `start` holds the points of all rays at t = 0; its lower corner and its upper one move by these steps with t, and hold
-    /// the points of all rays between them. `None` where the numbers cannot be told in single precision.
+    /// The shaft of rays whose points at t = 0 are in `start`. The lower and the upper corner of that box move by the
+    /// `steps` with t, and the points of all rays stay between them. `None` if single precision cannot hold the
+    /// numbers.
     pub fn new(start: &Aabb, steps: [Vec3; 2], frame: &Frame) -> Option<Shaft> {
         let size = each(steps, |d| d.abs().max_component());
         let (size, per_size) = power(size[0].max(size[1]))?;
@@ -47,7 +51,7 @@ impl Shaft {
                 let (o, d) = (origin[i] as f32, direction[i] as f32);
                 let off = o.abs() * (2.0 * f32::EPSILON) + MIN_DIRECTION_COMPONENT;
                 let (off, d) = match d.abs() < MIN_DIRECTION_COMPONENT {
-                    // As if it moved outwards.
+                    // A corner that hardly moves is taken to move outwards.
                     true => (off + STILL, MIN_DIRECTION_COMPONENT * outwards as f32),
                     false => (off, d),
                 };
@@ -69,20 +73,20 @@ impl Shaft {
         })
     }
 
-    /// A parameter of the rays as one of the shaft.
+    /// Converts a parameter of the rays to one of the shaft.
     #[inline]
     pub fn pace(&self, t: f64) -> f32 {
         (t * self.pace) as f32
     }
 
-    /// A parameter of the shaft as one of the rays.
+    /// Converts a parameter of the shaft to one of the rays.
     #[inline]
     pub fn unpace(&self, t: f32) -> f64 {
         f64::from(t) * self.unpace
     }
 
-    /// The children of a node, a bit each, whose boxes some ray may be in for some parameter of the shaft in [from,
-    /// to], and bounds from below on where the first ray comes into each.
+    /// The children of a node, a bit each, whose boxes some ray may meet at a parameter of the shaft in [from, to]. For
+    /// each child a lower bound on the parameter at which the first ray enters its box comes with them.
     #[inline]
     pub fn meets(&self, node: &Node, [from, to]: [f32; 2]) -> (u32, [f32; WIDTH]) {
         let (mut near, mut far) = (f32x8::splat(from), f32x8::splat(to));

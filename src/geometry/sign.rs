@@ -1,7 +1,7 @@
 //! The sign of a polynomial in doubles, decided exactly: on which side of a surface a point is.
 //!
-//! A shape writes its polynomial once, over [`Scalar`]. Doubles with a running bound on their error
-//! nearly always tell the sign; where they cannot, numbers do that no operation rounds.
+//! A shape writes its polynomial once, over [`Scalar`]. Doubles with a running bound on their error nearly always tell
+//! the sign. Where they cannot, numbers that no operation rounds decide.
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
@@ -11,7 +11,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub trait Scalar:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
-    /// A finite double, as it is.
+    /// Converts a finite double exactly.
     fn of(x: f64) -> Self;
 
     fn square(self) -> Self {
@@ -32,7 +32,7 @@ impl Scalar for Exact {
     }
 }
 
-/// A double, and how far at most it is from what is meant.
+/// A double, and a bound on its error.
 #[derive(Debug, Clone, Copy)]
 pub struct Rounded {
     value: f64,
@@ -40,8 +40,8 @@ pub struct Rounded {
 }
 
 impl Rounded {
-    /// A value whose error also has the rounding of the value itself. The error's own roundings, a few in each
-    /// operation, are far below the part by which it grows here.
+    /// A value that an operation has rounded: `error` and the rounding of the value itself add up to its error. The
+    /// error's own roundings, a few in each operation, are far below the part by which the error grows here.
     fn new(value: f64, error: f64) -> Rounded {
         const ROUNDOFF: f64 = f64::EPSILON / 2.0;
         const GROWN: f64 = 1.0 + 16.0 * f64::EPSILON;
@@ -91,9 +91,9 @@ impl Mul for Rounded {
     }
 }
 
-/// Whether a number is at most zero, where the doubles do not say it: exactly.
+/// Whether a number is at most zero. If the double does not tell, `exact` computes the number and decides.
 pub fn at_most_zero(rounded: Rounded, exact: impl FnOnce() -> Exact) -> bool {
-    // Written so that what is not a number decides nothing.
+    // The comparisons are such that a NaN decides nothing.
     if rounded.value > rounded.error {
         false
     } else if rounded.value < -rounded.error {

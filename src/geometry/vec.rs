@@ -40,14 +40,14 @@ impl<R: Real> Vec3<R> {
         Vec3([x, y, z])
     }
 
-    /// The same function of every component.
+    /// Applies a function to every component.
     #[inline]
     pub fn map(self, f: impl Fn(R) -> R) -> Vec3<R> {
         let [x, y, z] = self.0;
         Vec3([f(x), f(y), f(z)])
     }
 
-    /// A function of the components of two vectors.
+    /// Applies a function to the components of two vectors, pair by pair.
     #[inline]
     pub fn zip(self, other: Vec3<R>, f: impl Fn(R, R) -> R) -> Vec3<R> {
         Vec3([
@@ -76,7 +76,7 @@ impl<R: Real> Vec3<R> {
         self.zip(other, |a, b| a * b)
     }
 
-    /// The sizes of the components.
+    /// The absolute values of the components.
     #[inline]
     pub fn abs(self) -> Vec3<R> {
         self.map(R::abs)

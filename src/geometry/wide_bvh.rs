@@ -1,9 +1,9 @@
-//! A hierarchy of boxes eight wide, as rays walk it.
+//! A hierarchy of boxes, with up to eight children in a node, that rays walk.
 //!
 //! A node holds the boxes of up to eight children in single precision, rounded outwards, side by side, so that a ray
-//! meets all of them in one go (Wald, Benthin and Boulos, "Getting Rid of Packets", 2008). Coordinates are reckoned from
-//! the middle of all boxes, in units of a power of two that makes the largest one less than 1, so that scenes of any
-//! size and at any place have boxes as tight.
+//! meets all of them in one go (Wald, Benthin and Boulos, "Getting Rid of Packets", 2008). Coordinates are relative to
+//! the middle of all boxes. Their unit is a power of two that makes the largest one less than 1. So boxes are equally
+//! tight in scenes of any size and at any place.
 
 use super::aabb::Aabb;
 use super::array::each;
@@ -12,10 +12,10 @@ use super::line::Line;
 use super::vec::Vec3;
 use wide::{f32x4, f32x8};
 
-/// Children of a node at most.
+/// The most children of a node.
 pub const WIDTH: usize = 8;
 
-/// A node or an item, in as many bits as its number.
+/// A node or an item, in one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Child(u32);
 
@@ -28,7 +28,7 @@ pub enum Is {
     Item(u32),
 }
 
-/// Marks the number of an item.
+/// The bit that marks the number of an item.
 const ITEM: u32 = 1 << 31;
 
 impl Child {
@@ -37,7 +37,7 @@ impl Child {
     /// The mark of a place without a child.
     const NONE: Child = Child(u32::MAX);
 
-    /// An item whose number is below 2³¹ − 1.
+    /// The child for an item whose number is below 2³¹ − 1.
     #[inline]
     pub fn item(number: u32) -> Child {
         Child(ITEM | number)
@@ -52,7 +52,8 @@ impl Child {
     }
 }
 
-/// Up to eight children and their boxes: the lower sides of all along each axis, and the upper ones.
+/// Up to eight children and their boxes. `sides` has the lower sides of all boxes along each axis, and then the upper
+/// sides.
 #[derive(Debug, Clone)]
 pub struct Node {
     pub(super) sides: [[f32x8; 3]; 2],
@@ -60,7 +61,7 @@ pub struct Node {
 }
 
 impl Node {
-    /// Boxes that no ray meets.
+    /// A node without children, whose boxes no ray meets.
     const EMPTY: Node = Node {
         sides: [
             [f32x8::new([f32::MAX; WIDTH]); 3],
@@ -100,13 +101,14 @@ pub(super) fn power(above: f64) -> Option<(f64, f64)> {
     (0 < exponent && exponent < 2044).then(|| (of(exponent + 1), of(2045 - exponent)))
 }
 
-/// The units of the coordinates of a tree's boxes.
+/// The origin and the unit of the coordinates of a tree's boxes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Frame {
-    /// The largest coordinate of a box, in size.
+    /// The largest absolute value of a coordinate of the boxes.
     reach: f64,
     pub(super) centre: Vec3,
-    /// A power of two, and its reciprocal; both 0 where there is none, and no beam sees the boxes either.
+    /// The unit, a power of two; `per_unit` is its reciprocal. Both are 0 if there is no such number; a beam then meets
+    /// all boxes.
     pub(super) unit: f64,
     pub(super) per_unit: f64,
 }
@@ -134,7 +136,7 @@ impl Frame {
     }
 }
 
-/// A node of a binary tree, or a part of a leaf, that becomes a child.
+/// A node of the binary tree, or a part of one of its leaves, that becomes a child of a wide node.
 #[derive(Clone, Copy)]
 enum BvhChild {
     /// An inner node.
@@ -180,7 +182,7 @@ impl BvhChild {
     }
 }
 
-/// How many items are below each node of a binary tree.
+/// The number of items below each node of a binary tree.
 fn sizes(bvh: &Bvh) -> Vec<u32> {
     let mut sizes = vec![0; bvh.nodes.len()];
     // Children stand behind their parents.
@@ -193,11 +195,11 @@ fn sizes(bvh: &Bvh) -> Vec<u32> {
     sizes
 }
 
-/// Up to eight pieces that a piece is made of.
+/// Divides a piece of the binary tree into up to eight pieces.
 ///
-/// The largest box is halved again and again, but for pieces whose items fit into one node: a node takes as much memory
-/// with two children as with eight. The slots that are left then go to the items of such pieces, those of the largest
-/// box first.
+/// The piece with the largest box is halved again and again. Pieces whose items fit into one node are left out: a node
+/// takes as much memory with two children as with eight. The slots that are left then go to the single items of such
+/// pieces, those of the piece with the largest box first.
 fn children(bvh: &Bvh, sizes: &[u32], whole: BvhChild) -> Vec<BvhChild> {
     let size = |piece: &BvhChild| match *piece {
         BvhChild::Inner(node) => sizes[node as usize] as usize,
@@ -232,14 +234,15 @@ fn children(bvh: &Bvh, sizes: &[u32], whole: BvhChild) -> Vec<BvhChild> {
     pieces
 }
 
-/// The root is node 0; there are no nodes where there are no items.
+/// A tree of wide nodes. The root is node 0; there are no nodes if there are no items.
 #[derive(Debug, Default)]
 pub struct Tree {
     pub nodes: Vec<Node>,
 }
 
 impl Tree {
-    /// Builds the tree over items, numbered below 2³¹ − 1, with finite boxes that the frame is around.
+    /// Builds the tree over items with finite boxes. The items have numbers below 2³¹ − 1, and the frame is around the
+    /// boxes.
     pub fn new(boxes: Vec<(u32, Aabb)>, frame: &Frame) -> Tree {
         let scaled = boxes.into_iter().map(|(item, b)| (item, frame.scaled(&b)));
         let bvh = Bvh::with_leaves(scaled.collect(), 1);
@@ -275,7 +278,8 @@ impl Tree {
         self.slots().map(|(_, _, item)| item)
     }
 
-    /// All items, each with a box around its own one, but for a rounding; the frame is the one that the tree was built with.
+    /// All items, each with a box that holds the item's own box, up to a rounding. The frame is the one with which the
+    /// tree was built.
     pub fn boxes(&self, frame: &Frame) -> impl Iterator<Item = (u32, Aabb)> + '_ {
         let Frame { centre, unit, .. } = *frame;
         self.slots().map(move |(node, slot, item)| {
@@ -287,7 +291,7 @@ impl Tree {
         })
     }
 
-    /// The nodes and slots in which there are items.
+    /// All items, each with its node and its slot there.
     fn slots(&self) -> impl Iterator<Item = (&Node, usize, u32)> + '_ {
         let all = self
             .nodes
@@ -303,8 +307,8 @@ impl Tree {
     }
 }
 
-/// A line as the boxes of a tree see it: in single precision, with its origin moved as far as it may be off towards
-/// the sides by which the line enters a box, or leaves it.
+/// A line that is tested against the boxes of a tree, in single precision. Its origin is moved by as much as it may be
+/// off: forwards in `enter`, for the sides by which the line enters a box, and backwards in `leave`.
 #[derive(Debug, Clone, Copy)]
 pub struct Beam {
     enter: [f32; 3],
@@ -312,28 +316,28 @@ pub struct Beam {
     inverse: [f32; 3],
     /// For each axis, whether the line comes from above.
     falls: [bool; 3],
-    /// Whether the numbers cannot be told in single precision: then all boxes are met.
+    /// Whether single precision cannot hold the numbers: then all boxes are met.
     lost: bool,
-    /// The beam's own parameter of a point is this times that of the line: a power of two.
+    /// The factor from the line's parameter of a point to the beam's: a power of two.
     pace: f64,
     /// The reciprocal of `pace`.
     unpace: f64,
 }
 
-/// Relative error of a parameter, twice over: the difference, the product, the direction and its reciprocal are rounded
+/// Twice the relative error of a parameter: the difference, the product, the direction and its reciprocal are rounded
 /// once each.
 pub(super) const PARAMETER_REL_ERROR: f32 = 8.0 * (f32::EPSILON / 2.0);
 
-/// Least component of a direction, in parts of the largest. A smaller one is taken for as much.
+/// The least component of a direction, as a share of the largest. Smaller components are replaced by it.
 pub(super) const MIN_DIRECTION_COMPONENT: f32 = f32::from_bits((127 - 100) << 23);
-/// Uncertainty of the origin where a component is that small: the other components take a line far out of the tree
-/// before this much of the smallest is passed.
+/// The uncertainty of the origin along an axis with such a small component: the other components take a line far out of
+/// the tree before it has moved this far along that axis.
 pub(super) const STILL: f32 = f32::from_bits((127 - 40) << 23);
-/// Largest distance of an origin, in units of the tree. Beyond it single precision tells nothing.
+/// The largest distance of an origin, in units of the tree. Beyond it single precision tells nothing.
 pub(super) const MAX_ORIGIN_DISTANCE: f64 = (1u64 << 50) as f64;
 
 impl Beam {
-    /// Meets everything.
+    /// A beam that meets all boxes.
     const LOST: Beam = Beam {
         enter: [0.0; 3],
         leave: [0.0; 3],
@@ -353,7 +357,8 @@ impl Beam {
         let Some((size, per_size)) = power(line.direction.abs().max_component()) else {
             return Beam::LOST;
         };
-        // In units of the frame, of the direction's size, and with t times this.
+        // Lengths are in units of the frame and directions in units of their size, so the beam's parameter is t times
+        // `pace`.
         let (pace, unpace) = (size * frame.per_unit, frame.unit * per_size);
         let origin = (line.origin - frame.centre) * frame.per_unit;
         let direction = line.direction * per_size;
@@ -364,8 +369,8 @@ impl Beam {
         }
         let lanes = |v: Vec3| f32x4::new([v[0] as f32, v[1] as f32, v[2] as f32, 0.0]);
         let (o, d) = (lanes(origin), lanes(direction));
-        // Half a unit in the last place of o, and of the sums below, twice over; and more than what is lost where
-        // numbers underflow.
+        // Twice the half unit in the last place of o and of the sums below, then the drift, then more than is lost
+        // where numbers underflow.
         let off = o.abs() * f32x4::splat(2.0 * f32::EPSILON)
             + f32x4::splat(drift as f32 * 1.001)
             + f32x4::splat(MIN_DIRECTION_COMPONENT);
@@ -388,23 +393,23 @@ impl Beam {
         }
     }
 
-    /// A parameter of the line as one of the beam.
+    /// Converts a parameter of the line to one of the beam.
     #[inline]
     pub fn pace(&self, t: f64) -> f32 {
         (t * self.pace) as f32
     }
 
-    /// A parameter of the beam as one of the line.
+    /// Converts a parameter of the beam to one of the line.
     #[inline]
     pub fn unpace(&self, t: f32) -> f64 {
         f64::from(t) * self.unpace
     }
 
-    /// The boxes of a node that the line may be in, for some parameter of the beam in [from, to], and bounds from below
-    /// on where it comes into each.
+    /// The boxes of a node, a bit each, that the line may meet at a parameter of the beam in [from, to]. For each box a
+    /// lower bound on the parameter at which the line enters it comes with them.
     ///
-    /// A parameter has four rounded operations behind it, and the ends are widened by twice as much, so that no box that
-    /// the exact line meets is missed (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+    /// A parameter has four rounded operations behind it, and the ends are widened by twice as much, so that no box
+    /// that the exact line meets is missed (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
     #[inline]
     pub fn meets(&self, node: &Node, from: f32, to: f32) -> (u32, [f32; WIDTH]) {
         if self.lost {
@@ -424,8 +429,9 @@ impl Beam {
         (near.simd_le(far).to_bitmask(), near.to_array())
     }
 
-    /// The child that the line comes into first, with the bound that [`meets`](Self::meets) gives; the others that it
-    /// meets go to `others`, in no order. Of children that are as near the last one is first.
+    /// The child that the line enters first, with the bound that [`meets`](Self::meets) gives. The other children that
+    /// the line meets go to `others`, in no order. Among equally near children the last one counts as first. `None` if
+    /// the line meets no child.
     #[inline(always)]
     pub fn first(
         &self,
@@ -454,7 +460,7 @@ impl Beam {
         first
     }
 
-    /// The same, but the others are put on a stack, the farthest first.
+    /// Like [`first`](Self::first), but the other children are put on a stack, the farthest first.
     #[inline(always)]
     pub fn nearest(
         &self,

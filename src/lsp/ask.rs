@@ -20,7 +20,7 @@ use crate::diagnostics::Complaint;
 /// The state that a request may look at: all open files as they were when it came.
 pub(super) struct Ask {
     pub files: Snapshots,
-    /// The file that the request is about, where it is not open.
+    /// The file that the request is about, if it is not open. It is read from disk when it is first needed.
     pub not_open: OnceLock<Snapshot>,
     pub client: Arc<Client>,
     pub preferences: Preferences,
@@ -29,13 +29,13 @@ pub(super) struct Ask {
     pub tokens_sent: Arc<TokensSent>,
     pub told: Arc<Told>,
     pub changes: Changes,
-    /// Set when the client does not want the answer any more.
+    /// Whether the client does not want the answer any more.
     pub cancelled: Arc<AtomicBool>,
 }
 
 impl Ask {
-    /// The file that the request is about. Clients also ask about files that they have just closed, renamed or deleted:
-    /// one that is not open is taken as it is on disk.
+    /// Finds the file that the request is about. Clients also ask about files that they have just closed, renamed or
+    /// deleted: a file that is not open is read from disk. A text that is no URI is refused.
     pub(super) fn file(&self, document: &TextDocumentIdentifier) -> Result<&Snapshot, Refusal> {
         let uri = &document.uri;
         match self.files.get(uri) {
@@ -60,7 +60,7 @@ impl Ask {
         refusal(ErrorCode::RequestFailed, why.wording(self.client.language))
     }
 
-    /// A file and the offset of a place in it.
+    /// The file of a position, with the means to convert answers about it, and the offset of the position.
     pub(super) fn place(
         &self,
         at: &TextDocumentPositionParams,

@@ -1,4 +1,4 @@
-//! The capabilities of the server, by client.
+//! The capabilities that the server offers to a client.
 
 use gen_lsp_types::{
     CodeActionKind, CodeActionOptions, CodeLensOptions, CompletionOptions, DiagnosticOptions,

@@ -22,9 +22,9 @@ pub(super) struct Client {
     /// Whether the client shows the text about a parameter. Eglot 1.17, of Emacs 30, fails at the last parameter of a
     /// signature if it has any text.
     pub shows_parameters: bool,
-    /// Whether code actions may get their edits later.
+    /// Whether the client asks for the edit of a code action later, once the action is chosen.
     pub resolves_edits: bool,
-    /// Whether the server may ask for edits.
+    /// Whether the server may ask the client to make edits.
     pub applies_edits: bool,
     /// Whether edits may name the version that they are for.
     pub versioned_edits: bool,
@@ -33,7 +33,7 @@ pub(super) struct Client {
     pub watches_files: bool,
     pub refreshes_hints: bool,
     pub refreshes_diagnostics: bool,
-    /// The process that is to be outlived by no server.
+    /// The process of the client: the server ends soon after it.
     pub process: Option<u32>,
 }
 
@@ -46,9 +46,10 @@ pub(super) struct Preferences {
     pub pictures: bool,
     /// Whether there are buttons above records.
     pub lenses: bool,
-    /// Whether clients that ask for findings get those of all scenes in the folder; otherwise only of the open ones.
+    /// Whether a client that asks for diagnostics gets those of all scenes in its folders; otherwise only of the open
+    /// ones.
     pub whole_folder: bool,
-    /// Commands of the client's own that buttons may call: `zpg.preview`, `zpg.showReferences`.
+    /// The commands of the client that buttons may call: `zpg.preview`, `zpg.showReferences`.
     pub commands: Vec<String>,
 }
 
@@ -65,7 +66,8 @@ impl Default for Preferences {
 }
 
 impl Preferences {
-    /// Reads what a client sends, as it is or under `zpg`. What cannot be understood changes nothing.
+    /// Reads the preferences that a client sends, either alone or under the key `zpg`. Preferences that cannot be read
+    /// change nothing.
     pub(super) fn read(&mut self, sent: &Value) {
         let mut merged = match sent.get("zpg") {
             Some(own) => own.clone(),
@@ -74,11 +76,11 @@ impl Preferences {
         let Some(fields) = merged.as_object_mut() else {
             return;
         };
-        // A list would be taken for the fields in their order.
+        // A list would be read as the fields of the hints in their order.
         if fields.get("hints").is_some_and(|hints| !hints.is_object()) {
             return;
         }
-        // Commands are told once.
+        // Clients send their commands only once: they are kept.
         fields
             .entry("commands")
             .or_insert_with(|| self.commands.clone().into());
@@ -91,7 +93,7 @@ impl Preferences {
 impl Client {
     /// Reads the parameters of `initialize`. Parameters that cannot be understood count as missing.
     ///
-    /// The fields are looked up one by one: a deserialiser of all parameters took half a megabyte of the program.
+    /// The fields are looked up one by one: a deserialiser of all parameters would take half a megabyte of the program.
     pub(super) fn of(sent: &Value, language: Language) -> Client {
         let capability = |path: &str| sent.pointer(&format!("/capabilities/{path}"));
         let can = |path: &str| capability(path) == Some(&Value::Bool(true));
@@ -129,7 +131,7 @@ pub(super) fn folders(sent: &Value) -> Vec<Uri> {
     let read = |uri: &Value| uri.as_str().map(Uri::from);
     match sent["workspaceFolders"].as_array() {
         Some(all) => all.iter().filter_map(|f| read(&f["uri"])).collect(),
-        // What older clients send.
+        // Older clients send a single folder.
         None => read(&sent["rootUri"]).into_iter().collect(),
     }
 }

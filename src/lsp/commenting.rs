@@ -1,4 +1,5 @@
-//! Commenting out and in: a request of its own for the keys of editors, and a code action for editors without such keys.
+//! Commenting out and in: a request of its own for the keys of editors, and a code action for editors without such
+//! keys.
 
 use gen_lsp_types::{
     CodeAction, LspRequestMethod, MessageDirection, Range, Request, TextDocumentIdentifier,
@@ -54,7 +55,7 @@ pub(super) fn comment(ask: &Ask, p: CommentParams) -> Result<Vec<TextEdit>, Refu
     Ok(convert.text_edits(&edits))
 }
 
-/// The action that comments out or in the lines of a selection; `None` where nothing stands.
+/// The action that comments out or in the lines of a selection; `None` if the lines are blank.
 pub(super) fn action(ask: &Ask, convert: &Convert, range: Range) -> Option<CodeAction> {
     let analysis = convert.file.analysis();
     let span = convert.places.span(range);

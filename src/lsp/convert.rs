@@ -1,4 +1,4 @@
-//! Results of the features, in the protocol's types. Nothing else makes these.
+//! Converts results of the features into the protocol's types.
 
 use gen_lsp_types::{
     ActiveParameter, BaseSymbolInformation, CallHierarchyItem, Code, CodeLens, Color,
@@ -22,7 +22,7 @@ use crate::features::{
     tokens, uses,
 };
 
-/// Makes the protocol's types of answers about one file.
+/// Converts answers about one file into the protocol's types.
 pub(super) struct Convert<'a> {
     pub file: &'a Snapshot,
     pub client: &'a Client,
@@ -177,7 +177,7 @@ impl<'a> Convert<'a> {
     }
 
     pub(super) fn signature(&self, signature: signature::Signature) -> SignatureHelp {
-        // Labels are counted in UTF-16 whatever was agreed on.
+        // Offsets in labels are counted in UTF-16, whatever units were agreed on.
         let units = |byte: usize| signature.label[..byte].encode_utf16().count() as u32;
         let parameters = signature.params.iter().map(|p| ParameterInformation {
             label: ParameterInformationLabel::Tuple((units(p.at.0), units(p.at.1))),
@@ -185,7 +185,7 @@ impl<'a> Convert<'a> {
                 .then(|| Documentation::String(p.doc.clone())),
         });
         let parameters: Vec<_> = parameters.collect();
-        // Behind the last one: none is active.
+        // A number behind the last parameter means that none is active.
         let active = signature.active.unwrap_or(parameters.len()) as u32;
         let only = SignatureInformation {
             label: signature.label,
@@ -280,7 +280,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    /// The symbols one after the other, each with the name of what it is in.
+    /// Appends the symbols of a tree one after the other, each with the name of the symbol that it is in.
     #[allow(deprecated)]
     pub(super) fn flat_symbols(
         &self,
@@ -329,7 +329,7 @@ impl<'a> Convert<'a> {
         }
     }
 
-    /// Stretches from the smallest to the largest.
+    /// Converts nested spans, from the smallest to the largest.
     pub(super) fn selection(&self, spans: &[Span]) -> SelectionRange {
         let mut out: Option<SelectionRange> = None;
         for span in spans.iter().rev() {
@@ -354,7 +354,8 @@ impl<'a> Convert<'a> {
         }
     }
 
-    /// Tokens, each told from the end of the one before. Those of several lines become one a line.
+    /// Converts tokens. Each position is counted from that of the token before. A comment of several lines becomes a
+    /// token in each line.
     pub(super) fn tokens(&self, all: &[tokens::Meaning]) -> Vec<SemanticToken> {
         let source = &self.file.analysis().source;
         let mut out = Vec::with_capacity(all.len());
@@ -394,7 +395,7 @@ impl<'a> Convert<'a> {
         out
     }
 
-    /// A button; `None` for those whose command only some clients have, and this one has not.
+    /// Converts a button; `None` if only some clients have its command, and this client does not.
     pub(super) fn lens(&self, lens: &lenses::Lens, preferences: &Preferences) -> Option<CodeLens> {
         let language = self.client.language;
         let has = |command: &str| preferences.commands.iter().any(|c| c == command);
@@ -433,7 +434,7 @@ impl<'a> Convert<'a> {
     }
 }
 
-/// The names of the roles of tokens, in their order.
+/// The protocol's names of the roles of tokens, in the order of the roles.
 pub(super) fn token_types() -> Vec<String> {
     let name = |role: tokens::Role| match role {
         tokens::Role::Id => "variable",

@@ -3,8 +3,8 @@
 use gen_lsp_types::{Range, VersionedTextDocumentIdentifier};
 use serde::Deserialize;
 
-/// The parameters of `textDocument/didChange`. The library's own type takes a change whose range cannot be read for one of
-/// the whole file.
+/// The parameters of `textDocument/didChange`. The library's own type would read a change with an unreadable range as a
+/// change of the whole file.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct DidChange {
@@ -12,10 +12,10 @@ pub(super) struct DidChange {
     pub content_changes: Vec<Change>,
 }
 
-/// A new text.
+/// A change: a new text for a range.
 #[derive(Deserialize)]
 pub(super) struct Change {
-    /// The range that the text takes the place of; without one it takes that of the whole file.
+    /// The range that the text replaces; `None` for the whole file.
     pub range: Option<Range>,
     pub text: String,
 }

@@ -24,7 +24,7 @@ pub(super) struct Documents {
     next: u64,
 }
 
-/// How often files have changed that scenes depend on.
+/// Counts of changes to files that scenes depend on: to `zpg.toml` files, and to pictures.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Changes {
     pub settings: u64,
@@ -34,17 +34,17 @@ pub(super) struct Changes {
 struct Document {
     version: i32,
     text: Arc<String>,
-    /// The analysis of this text; `None` after an edit, until somebody asks.
+    /// The snapshot of the present text; `None` after an edit, until the next request for it.
     snapshot: Option<Arc<Snapshot>>,
 }
 
-/// All files as they are at one moment, for a request.
+/// All open files as they are at one moment, for a request.
 pub(super) type Snapshots = HashMap<Uri, Arc<Snapshot>>;
 
-/// A file as it is at one moment. It is read when its analysis is first asked for, by whoever asks.
+/// A file as it is at one moment. It is analysed when its analysis is first asked for, on the thread that asks.
 pub(super) struct Snapshot {
     pub uri: Uri,
-    /// The version that the client has open.
+    /// The version that the client has open; `None` if the file is not open.
     pub version: Option<i32>,
     /// A number of the snapshot that no other snapshot of an open file has.
     pub number: u64,
@@ -57,7 +57,7 @@ pub(super) struct Snapshot {
 }
 
 impl Snapshot {
-    /// The name of the document in messages: the path, or the URI of what is no file.
+    /// The name of the document in messages: the path of a file, otherwise the URI.
     pub(super) fn name(&self) -> String {
         let path = path_of(&self.uri);
         path.map_or_else(
@@ -66,7 +66,7 @@ impl Snapshot {
         )
     }
 
-    /// A file that is not open, as it is on disk. One that cannot be read is empty.
+    /// Reads a file that is not open from disk. A file that cannot be read counts as empty and missing.
     pub(super) fn on_disk(uri: Uri, configs: &Configs) -> Snapshot {
         let path = path_of(&uri).filter(|path| path.is_file());
         let config = path.as_ref().map(|path| configs.for_file(path));
@@ -85,7 +85,7 @@ impl Snapshot {
         file
     }
 
-    /// How its findings weigh.
+    /// The settings of the file's analysis: the levels of its findings.
     pub(super) fn settings(&self) -> Settings {
         let path = path_of(&self.uri).unwrap_or_default();
         let levels = self.config.as_ref().map(|c| c.levels(&path));
@@ -95,7 +95,7 @@ impl Snapshot {
         }
     }
 
-    /// Whether its settings exclude it: nothing is said about it, and nothing is changed in it unasked.
+    /// Whether the file's settings exclude it: it gets no diagnostics, and no edits that nobody has asked for.
     pub(super) fn is_excluded(&self) -> bool {
         let path = path_of(&self.uri);
         let config = self.config.as_ref().ok();
@@ -125,7 +125,7 @@ impl Documents {
         self.open.remove(uri);
     }
 
-    /// Edits a file; one that is not open is left alone.
+    /// Edits an open file. Returns `false`, and does nothing, if the file is not open.
     pub(super) fn change(
         &mut self,
         uri: &Uri,
@@ -137,7 +137,7 @@ impl Documents {
             return false;
         };
         document.version = version;
-        // Whoever reads the text has a copy of his own from here on; without readers there is none.
+        // If a request still reads the old text, a copy is edited; otherwise the text is edited in place.
         document.snapshot = None;
         let text = Arc::make_mut(&mut document.text);
         for change in changes {
@@ -149,14 +149,15 @@ impl Documents {
         true
     }
 
-    /// Forgets what settings were read: one of the files has changed.
+    /// Forgets all settings that were read, and all snapshots, since a `zpg.toml` file has changed.
     pub(super) fn forget_configs(&mut self) {
         self.configs = Configs::default();
         self.changes.settings += 1;
         self.open.values_mut().for_each(|d| d.snapshot = None);
     }
 
-    /// Forgets what was read of the files that name a picture, and gives them: it is there now, gone or another.
+    /// Forgets the snapshots of the files that contain the name of a picture, and returns the URIs of these files. The
+    /// picture has appeared, changed or gone.
     pub(super) fn forget_picture(&mut self, name: &str) -> Vec<Uri> {
         self.changes.pictures += 1;
         let mut shown = Vec::new();
@@ -173,7 +174,7 @@ impl Documents {
         self.open.keys().cloned().collect()
     }
 
-    /// A file as it is now.
+    /// An open file as it is now; `None` if the file is not open.
     pub(super) fn snapshot(&mut self, uri: &Uri) -> Option<Arc<Snapshot>> {
         let document = self.open.get_mut(uri)?;
         let next = &mut self.next;
@@ -196,7 +197,7 @@ impl Documents {
         Some(snapshot.clone())
     }
 
-    /// All files as they are now.
+    /// All open files as they are now.
     pub(super) fn snapshots(&mut self) -> Snapshots {
         let uris = self.uris();
         let now = uris

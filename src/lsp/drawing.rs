@@ -59,7 +59,7 @@ fn height() -> u32 {
     360
 }
 
-/// A picture.
+/// A picture of a scene or an object.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Preview {
@@ -67,13 +67,13 @@ pub(super) struct Preview {
     pub png: String,
     pub width: u32,
     pub height: u32,
-    /// The ID of the object that is drawn alone.
+    /// The ID of the object that is drawn alone; `None` if the scene is drawn.
     pub id: Option<u32>,
     /// The version of the file; `None` if it is not open.
     pub version: Option<i32>,
 }
 
-/// The threads that draw.
+/// The threads that draw; `None` if they cannot be started.
 fn pool() -> Option<&'static rayon::ThreadPool> {
     static POOL: OnceLock<Option<rayon::ThreadPool>> = OnceLock::new();
     let made = POOL.get_or_init(|| {
@@ -91,10 +91,10 @@ fn draw(stage: &Stage, size: [u32; 2], stop: &Arc<AtomicBool>) -> Result<Option<
     }
 }
 
-/// A coarse picture has this part of the sides of the one that is asked for.
+/// The sides of the requested picture are this many times those of the coarse one.
 const COARSE: u32 = 4;
 
-/// Draws what is asked for, coarse first.
+/// Draws the picture that is asked for, after a coarse one if the client takes partial results.
 pub(super) fn preview(ask: &Ask, p: PreviewParams) -> Result<Preview, Refusal> {
     let file = ask.file(&p.text_document)?;
     let analysis = file.analysis();
@@ -135,7 +135,8 @@ fn said(error: &Error, language: Language) -> String {
     }
 }
 
-/// The object that is named at an offset; that of the render record is the scene itself.
+/// The ID of the object that is named at an offset, or else of the object that the record there is about. `None` for
+/// any other entity, as for the render record, which stands for the scene.
 fn object_at(analysis: &Analysis, offset: u32) -> Option<u32> {
     let named = uses::id_at(analysis, offset).map(|(id, _)| id);
     let around = || crate::features::token_at_offset::record_at(analysis, offset).map(|r| r.id);
@@ -144,15 +145,16 @@ fn object_at(analysis: &Analysis, offset: u32) -> Option<u32> {
     is_object.then_some(id)
 }
 
-/// Most nodes of a scene that is drawn in a hover.
+/// The largest number of nodes of a scene that is drawn in a hover.
 const MAX_NODES: usize = 20_000;
 /// Longest time that a picture in a hover may take.
 const MAX_DRAWING_TIME: Duration = Duration::from_millis(400);
 
-/// The longest picture in a hover, in base64: editors cut off longer texts, or freeze.
+/// The largest length of a hover's picture in base64: editors cut off longer texts, or freeze.
 const MAX_BASE64: usize = 70_000;
 
-/// A picture of an entity, in Markdown as VS Code reads it. `None` if there is none in time.
+/// A picture of an entity, in Markdown as VS Code reads it. `None` if the scene is too large, or the picture is not
+/// ready in time or too long.
 pub(super) fn hover_picture(
     analysis: &Analysis,
     id: u32,
@@ -175,7 +177,7 @@ pub(super) fn hover_picture(
             while !cancelled.load(Ordering::Relaxed) {
                 let step = end.saturating_duration_since(Instant::now());
                 let step = step.min(Duration::from_millis(20));
-                // An answer, or nobody who waits for one.
+                // Either the picture is ready, or its thread has ended.
                 let is_over = !matches!(
                     alarm.recv_timeout(step),
                     Err(crossbeam_channel::RecvTimeoutError::Timeout)

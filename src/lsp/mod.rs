@@ -1,13 +1,13 @@
 //! The language server: messages of the [protocol](https://microsoft.github.io/language-server-protocol/) come
 //! in, answers of [`features`](crate::features) go out.
 //!
-//! One thread reads messages and keeps the open files ([`documents`]). It takes all that have come before it
-//! acts, so several edits are one. Requests are answered from the files as they are at that moment by two
-//! other threads ([`requests`]), in their order; slow ones have a thread each. Diagnostics have a thread
-//! ([`publish`]), pictures have theirs ([`drawing`]), longer commands are programs ([`programs`]). So nothing
-//! waits for a picture, and a request that fails is an error answer.
+//! One thread handles messages and keeps the open files ([`documents`]). It takes all messages that have arrived before
+//! it sends diagnostics, so that several edits count as one. Requests are answered from the files as they are at that
+//! moment by two other threads ([`requests`]), in their order; slow requests have a thread each. Diagnostics have a
+//! thread ([`publish`]), pictures have theirs ([`drawing`]), and longer commands run as programs ([`programs`]). Thus
+//! nothing waits for a picture. A request that fails gets an error as its answer.
 //!
-//! Protocol types are made in [`convert`], positions in [`position`], and nowhere else.
+//! Most protocol types are made in [`convert`], all positions in [`position`].
 
 mod ask;
 mod capabilities;
@@ -63,12 +63,12 @@ use told::Told;
 use crate::allocator;
 use crate::diagnostics::Language;
 
-/// How a session ended.
+/// The way in which a session ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
-    /// An ending that the client asked for.
+    /// The client asked for the end, with `shutdown` and `exit`.
     Clean,
-    /// The client was gone without a word, or said `exit` without `shutdown`.
+    /// The client vanished, or said `exit` without `shutdown`.
     Early,
 }
 
@@ -82,7 +82,7 @@ pub fn run(language: Language) -> io::Result<Ending> {
     let (incoming, sender, writer) = stdio::connect();
     let ending = serve(&incoming, sender, language);
     programs::remove_pages();
-    // The last answers are written; what takes long yet, nobody reads any more.
+    // The last answers have some time to be written. After that, nobody reads them any more.
     let end = Instant::now() + LAST_WORDS;
     while !writer.is_finished() && Instant::now() < end {
         thread::sleep(Duration::from_millis(1));
@@ -93,13 +93,13 @@ pub fn run(language: Language) -> io::Result<Ending> {
     }
 }
 
-/// Freed blocks up to this size are kept for the next edit, which asks for as much again.
+/// The size up to which freed blocks of memory are kept for the next edit, which needs as much again.
 pub const KEPT_BYTES: usize = 31 << 20;
 
-/// How long the last answers may take.
+/// The time that writing the last answers may take.
 const LAST_WORDS: Duration = Duration::from_secs(1);
 
-/// Serves one client until it is gone. What is said to it are messages in JSON.
+/// Serves one client until it is gone. `sender` gets the messages to the client, as JSON.
 pub fn serve(incoming: &Receiver<Message>, sender: Sender<String>, language: Language) -> Ending {
     let Some(mut server) = Server::begin(incoming, sender, language) else {
         return Ending::Early;
@@ -110,13 +110,13 @@ pub fn serve(incoming: &Receiver<Message>, sender: Sender<String>, language: Lan
     ending
 }
 
-/// Requests that are not answered yet. Whoever takes one out answers it.
+/// The requests that are not answered yet. The thread that takes a request out has to answer it.
 #[derive(Clone, Default)]
 struct Pending(Arc<Mutex<HashMap<RequestId, Waiting>>>);
 
 struct Waiting {
     cancelled: Arc<AtomicBool>,
-    /// The file that a picture is drawn of: an edit makes it pointless.
+    /// For a picture, the file that it shows: an edit of the file makes the picture pointless.
     drawn: Option<Uri>,
 }
 
@@ -139,7 +139,7 @@ impl Pending {
         }
     }
 
-    /// The requests for pictures of a file.
+    /// The IDs of the requests for pictures of a file.
     fn drawing(&self, uri: &Uri) -> Vec<RequestId> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let of = all.iter().filter(|(_, w)| w.drawn.as_ref() == Some(uri));
@@ -149,7 +149,7 @@ impl Pending {
 
 type Job = Box<dyn FnOnce() + Send>;
 
-/// How many threads answer quick requests.
+/// The number of threads that answer quick requests.
 const ANSWERING: usize = 2;
 
 struct Server {
@@ -169,7 +169,7 @@ struct Server {
 }
 
 impl Server {
-    /// Agrees with the client on what both can. `None` if it is gone before that.
+    /// Exchanges capabilities with the client. `None` if the client is gone before that.
     fn begin(
         incoming: &Receiver<Message>,
         sender: Sender<String>,
@@ -218,7 +218,7 @@ impl Server {
     /// Takes messages until the session is over.
     fn serve(&mut self, incoming: &Receiver<Message>) -> Ending {
         while let Ok(first) = incoming.recv() {
-            // Edits first: what is asked about a text that is not there any more is of no use.
+            // All waiting messages come first, so that diagnostics are sent for the latest texts only.
             for message in std::iter::once(first).chain(incoming.try_iter()) {
                 if let Some(ending) = self.take(message) {
                     return ending;
@@ -229,7 +229,7 @@ impl Server {
         Ending::Early
     }
 
-    /// Takes a message; says when the session is over.
+    /// Handles a message. Returns the ending if the session is over.
     fn take(&mut self, message: Message) -> Option<Ending> {
         match message {
             Message::Request(request) if self.is_shut_down => {
@@ -254,7 +254,7 @@ impl Server {
                 });
             }
             Message::Notification(notification) => self.note(notification),
-            // Nothing hangs on what the client answers.
+            // The server does not depend on the client's answers.
             Message::Response(_) => {}
         }
         None
@@ -264,7 +264,7 @@ impl Server {
         self.outgoing.send(outgoing::refused(id, error));
     }
 
-    /// Has a request answered.
+    /// Has a request answered: quick requests by the threads for these, slow requests by a new thread.
     fn answer(&mut self, Request { id, method, params }: Request) {
         let Some((lane, handler)) = requests::handler(&method) else {
             let error = refusal(ErrorCode::MethodNotFound, format!("there is no {method}"));
@@ -312,7 +312,7 @@ impl Server {
         }
     }
 
-    /// Ends the wait for an answer.
+    /// Refuses a request that is not answered yet, and stops the work on it.
     fn cancel(&self, id: RequestId, code: ErrorCode) {
         if let Some(waiting) = self.pending.take(&id) {
             waiting.cancelled.store(true, Ordering::Relaxed);
@@ -320,7 +320,7 @@ impl Server {
         }
     }
 
-    /// Takes note of something. What cannot be understood is left out.
+    /// Handles a notification. One that cannot be understood is ignored.
     fn note(&mut self, notification: Notification) {
         let Notification { method, params } = notification;
         match method.as_str() {
@@ -399,7 +399,8 @@ impl Server {
         }
     }
 
-    /// The parameters of a notification. The client is told of those that cannot be understood: nobody waits for an answer.
+    /// The parameters of a notification. If they cannot be understood, the client gets a warning: nobody waits for an
+    /// answer that could be an error.
     fn read<P: DeserializeOwned>(&self, method: &str, params: Value) -> Option<P> {
         let why = match serde_json::from_value(params) {
             Ok(params) => return Some(params),
@@ -411,7 +412,7 @@ impl Server {
         None
     }
 
-    /// A file that is not open was written or deleted: settings, or a picture.
+    /// Handles a change on disk: a file that is not open, settings or a picture, was written or deleted.
     fn file_has_changed(&mut self, uri: &Uri) {
         let path = uri::path_of(uri).unwrap_or_default();
         let is_picture = workspace::PICTURES
@@ -426,7 +427,7 @@ impl Server {
         }
     }
 
-    /// Sends the diagnostics of what has changed.
+    /// Has the diagnostics of the changed files sent, unless the client asks for diagnostics itself.
     fn publish(&mut self) {
         let mut changed = std::mem::take(&mut self.changed);
         if self.client.pulls {
@@ -465,7 +466,7 @@ fn first_request(
     }
 }
 
-/// Has the client tell when settings or pictures change.
+/// The parameters with which the server asks to be told of changes to settings and pictures.
 fn watched_files() -> Value {
     let pictures = format!("**/*.{{{}}}", workspace::PICTURES.join(","));
     let watchers = [
@@ -479,7 +480,7 @@ fn watched_files() -> Value {
     }] })
 }
 
-/// Starts the threads that answer quick requests. They end when nobody has any more.
+/// Starts the threads that answer quick requests. They end once the returned sender is dropped.
 fn start_answering() -> Sender<Job> {
     let (sender, jobs) = unbounded::<Job>();
     for _ in 0..ANSWERING {

@@ -1,6 +1,6 @@
 //! The way to the client: messages are JSON from here on.
 //!
-//! `lsp-server` would have them as trees of [`Value`]s, and the tree of a long answer takes many times the memory of
+//! `lsp-server` builds messages as trees of [`Value`]s, and the tree of a long answer takes many times the memory of
 //! its text.
 
 use std::cell::Cell;
@@ -34,12 +34,12 @@ impl Outgoing {
         }
     }
 
-    /// Says something.
+    /// Sends a notification.
     pub(super) fn notify(&self, method: &str, params: impl Serialize) {
         self.call(None, method, params);
     }
 
-    /// Asks for something whose answer does not matter.
+    /// Sends a request whose answer does not matter.
     pub(super) fn request(&self, method: &str, params: impl Serialize) {
         let id = self.next.fetch_add(1, Ordering::Relaxed);
         self.call(Some(id), method, params);
@@ -60,7 +60,7 @@ impl Outgoing {
             method,
             params,
         };
-        // What we say can be written as JSON.
+        // The parameters of this server's messages can always be written as JSON.
         if let Ok(message) = serde_json::to_string(&call) {
             self.send(message);
         }
@@ -68,7 +68,7 @@ impl Outgoing {
 
     /// Sends a message that [`answer`] or [`refused`] has made.
     pub(super) fn send(&self, message: String) {
-        // Nobody is left to be told when this fails.
+        // If this fails, the client is gone.
         let _ = self.sender.send(message);
     }
 
@@ -95,7 +95,7 @@ impl Outgoing {
         self.notify("window/showMessage", params);
     }
 
-    /// Says something where people look who look for mistakes.
+    /// Sends a warning to the client's log.
     pub(super) fn log_warning(&self, message: &str) {
         // 2: a warning.
         let params = json!({ "type": 2, "message": message });
@@ -125,7 +125,7 @@ pub(super) fn answer(id: &RequestId, result: impl Serialize) -> Result<String, R
     serde_json::to_string(&answer).map_err(|e| refusal(ErrorCode::InternalError, e.to_string()))
 }
 
-/// The answer to a request for a list, of which only one item is held at a time.
+/// The answer to a request for a list. Only one item of the list is in memory at a time.
 ///
 /// # Errors
 ///
@@ -143,7 +143,7 @@ pub(super) fn answer_list(
     answer(id, List(Cell::new(Some(all))))
 }
 
-/// The answer to a request that is not met. The ID is null where it cannot be read.
+/// The error answer to a request. `id` is null if the request's ID cannot be read.
 pub(super) fn refused(id: impl Serialize, why: &Refusal) -> String {
     json!({ "jsonrpc": VERSION, "id": json!(id), "error": why }).to_string()
 }

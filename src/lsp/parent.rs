@@ -1,4 +1,4 @@
-//! The end of the program that started the server.
+//! Ends the server after the program that started it has ended.
 
 use std::thread;
 use std::time::Duration;
@@ -8,7 +8,8 @@ use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 /// Time between two looks at the parent process.
 const STEP: Duration = Duration::from_secs(1);
 
-/// Ends this program soon after the process with this number has ended, if it does not end by itself. `stop` comes first.
+/// Ends this program soon after the process with this number has ended, unless it ends by itself. `stop` is called
+/// first.
 pub(super) fn end_with(process: u32, stop: impl FnOnce() + Send + 'static) {
     thread::spawn(move || {
         let pid = Pid::from_u32(process);
@@ -20,7 +21,7 @@ pub(super) fn end_with(process: u32, stop: impl FnOnce() + Send + 'static) {
                 .process(pid)
                 .is_some_and(|p| p.status() != sysinfo::ProcessStatus::Zombie)
         };
-        // One that cannot be seen from here, as from within a container, says nothing.
+        // A process that cannot be seen from here, as from within a container, is not watched.
         if !is_alive() {
             return;
         }

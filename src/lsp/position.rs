@@ -1,5 +1,5 @@
-//! Places in a text as the protocol counts them: lines from 0, and units of UTF-8, UTF-16 or UTF-32 from the
-//! line's start. The only place where offsets become positions and positions offsets.
+//! Positions in a text as the protocol counts them: lines from 0, and units of UTF-8, UTF-16 or UTF-32 from the line's
+//! start. Only this module turns offsets into positions and positions into offsets.
 
 use std::cell::Cell;
 
@@ -20,7 +20,7 @@ pub(super) enum Units {
 }
 
 impl Units {
-    /// The best of what a client offers, by its names in the protocol: bytes need no counting.
+    /// The best of the units that a client offers, by their names in the protocol: UTF-8, since bytes need no counting.
     pub(super) fn chosen(offered: &[Value]) -> Units {
         let offers = |name: &str| offered.iter().any(|o| o == name);
         match () {
@@ -38,7 +38,7 @@ impl Units {
         }
     }
 
-    /// How long a text is.
+    /// The length of a text in these units.
     pub(super) fn length(self, text: &str) -> u32 {
         let length = match self {
             _ if text.is_ascii() => text.len(),
@@ -49,7 +49,8 @@ impl Units {
         length as u32
     }
 
-    /// The byte of a line that a number of units leads to: at most its end, and never within a character.
+    /// The byte offset in a line that is a number of units from its start: at most the line's end, and never within a
+    /// character.
     fn byte(self, line: &str, units: u32) -> usize {
         let units = units as usize;
         let mut before = 0;
@@ -69,12 +70,11 @@ impl Units {
     }
 }
 
-/// Positions in a text that is read.
+/// Converts positions and offsets of a source file.
 pub(super) struct Places<'a> {
     source: &'a SourceFile,
     units: Units,
-    /// The line that was asked for last and where it starts and ends: what is asked for in order is found at
-    /// once.
+    /// The line that was asked for last, and its span: offsets that are asked for in order are found at once.
     last: Cell<(usize, Span)>,
 }
 
@@ -102,7 +102,7 @@ impl<'a> Places<'a> {
     pub(super) fn position(&self, offset: u32) -> Position {
         let offset = self.source.floor(offset);
         let (line, span) = self.line_of(offset);
-        // Within a line break: at the end of the line.
+        // An offset within a line break becomes the end of the line.
         let end = offset.min(span.end);
         let before = self.source.slice(Span::new(span.start, end));
         Position {
@@ -118,7 +118,7 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// The offset of a position: one behind the end of a line, or of the text, is that end.
+    /// The offset of a position. A position behind the end of a line, or of the text, counts as that end.
     pub(super) fn offset(&self, position: Position) -> u32 {
         if position.line as usize >= self.source.line_count() {
             return self.source.text.len() as u32;
@@ -133,14 +133,14 @@ impl<'a> Places<'a> {
         Span::new(start.min(end), start.max(end))
     }
 
-    /// How many units a span has, which is within a line.
+    /// The length in units of a span within a line.
     pub(super) fn length(&self, span: Span) -> u32 {
         self.units.length(self.source.slice(span))
     }
 }
 
-/// Edits a text that is not read yet: the range goes, the new text comes. A range that leads beyond the text
-/// ends with it.
+/// Replaces a range of a text that has no analysis yet by a new text. A range that reaches beyond the text ends with
+/// it.
 pub(super) fn edit(text: &mut String, units: Units, range: Range, new: &str) {
     let (start, end) = (
         offset_in(text, units, range.start),

@@ -1,8 +1,8 @@
-//! Commands that take long: they run as a program of their own, this one with other arguments. So they keep
-//! within their own memory, and end when nobody waits for them.
+//! Commands that take long. Each runs as a program of its own, which is this program with other arguments. Thus it has
+//! memory of its own, and can be ended when nobody waits for it.
 //!
-//! What they make lies beside the scene, as it does from the command line; of a scene that was never saved it
-//! lies in the folder for temporary files.
+//! The files that they make lie beside the scene, as on the command line. Those of a scene that was never saved lie in
+//! the folder for temporary files.
 
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -27,10 +27,10 @@ use crate::study::program;
 use crate::syntax::table::RecordType;
 use crate::translate::registry;
 
-/// Shows the page of a code or of a type of records.
+/// The command that shows the page of a code or of a type of records.
 pub(super) const EXPLAIN: &str = "zpg.explain";
 
-/// All commands that are programs or pages. Each but [`EXPLAIN`] takes the URI of an open file first.
+/// All commands that run programs or show pages. Each except [`EXPLAIN`] takes the URI of an open file first.
 pub(super) const COMMANDS: [&str; 6] = [
     "zpg.render",
     "zpg.convert",
@@ -40,7 +40,7 @@ pub(super) const COMMANDS: [&str; 6] = [
     EXPLAIN,
 ];
 
-/// Runs a command. The answer says what was made: `uri` of a file, `text`.
+/// Runs a command. The answer has the `uri` of the file that was made, the `text` that was printed, or both.
 pub(super) fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAny>, Refusal> {
     let arguments = p.arguments.unwrap_or_default();
     let text = |i: usize| arguments.get(i).and_then(|a| a.as_str());
@@ -120,7 +120,7 @@ pub(super) fn execute(ask: &Ask, p: ExecuteCommandParams) -> Result<Option<LspAn
 }
 
 /// The reason, in one line, why nothing can be done with a file: it is missing, or its scene has errors, which the
-/// client shows already.
+/// client shows already. `None` if the scene is sound.
 pub(super) fn trouble(file: &Snapshot, language: Language) -> Option<Complaint> {
     if file.is_missing {
         return Some(Complaint::new("lsp-missing").with("path", file.name()));
@@ -151,7 +151,7 @@ fn headline<'a>(report: &'a str, error: &str) -> &'a str {
     }
 }
 
-/// The page of a code or a type.
+/// Shows the page of a code or of a type of records to the client.
 fn explain(ask: &Ask, topic: &str) -> Result<serde_json::Value, Refusal> {
     let language = ask.client.language;
     let ty = || RecordType::by_code(topic.parse().ok()?).or_else(|| RecordType::by_keyword(topic));
@@ -168,12 +168,13 @@ fn explain(ask: &Ask, topic: &str) -> Result<serde_json::Value, Refusal> {
     Ok(json!({ "text": page.1, "uri": uri_of(&path) }))
 }
 
-/// The folder of the texts that a client is shown.
+/// The folder for the texts that the client is shown.
 fn pages_folder() -> PathBuf {
     std::env::temp_dir().join(format!("zpg-{}", std::process::id()))
 }
 
-/// The same folder for what is made of a text that was never saved.
+/// The folder for files made from a text that was never saved: the one for shown texts, or else that for all temporary
+/// files.
 fn unsaved() -> PathBuf {
     let folder = pages_folder();
     match std::fs::create_dir_all(&folder) {
@@ -182,9 +183,9 @@ fn unsaved() -> PathBuf {
     }
 }
 
-/// Removes these texts, when the server ends.
+/// Removes the folder of the shown texts, when the server ends.
 pub(super) fn remove_pages() {
-    // There is none where no text was shown.
+    // The folder is missing if no text was shown.
     let _ = std::fs::remove_dir_all(pages_folder());
 }
 
@@ -204,15 +205,15 @@ fn write_page(name: &str, extension: &str, text: &str) -> Result<PathBuf, Compla
 struct Job<'a> {
     ask: &'a Ask,
     file: &'a Snapshot,
-    /// The folder that the program runs in, so that it finds the scene's pictures, and that it writes to.
+    /// The folder that the program runs in and writes to. The scene's pictures are found from there.
     folder: PathBuf,
     stem: String,
 }
 
-/// How often a program is looked at.
+/// The time between two looks at a program.
 const STEP: Duration = Duration::from_millis(20);
 
-/// How long one may take to end.
+/// The time that a program may take to end after it was interrupted.
 const GRACE: Duration = Duration::from_secs(10);
 
 impl<'a> Job<'a> {
@@ -226,7 +227,7 @@ impl<'a> Job<'a> {
         Job {
             ask,
             file,
-            // What was never saved must not come in the place of others' files.
+            // Files of a scene that was never saved must not replace other files.
             folder: folder.map_or_else(unsaved, Path::to_owned),
             stem: stem.map_or_else(|| "scene".to_owned(), |s| s.to_string_lossy().into_owned()),
         }
@@ -236,7 +237,7 @@ impl<'a> Job<'a> {
         self.folder.join(format!("{}.{extension}", self.stem))
     }
 
-    /// Runs zpg with the scene as its input, and gives what it prints.
+    /// Runs zpg with the scene as its input, and returns its output.
     fn run(&self, arguments: &[std::ffi::OsString]) -> Result<String, Refusal> {
         let why = |reason: Complaint| {
             let why = Complaint::new("lsp-cannot-run").with("reason", reason);
@@ -271,7 +272,8 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Waits for the program's end; `None` if it is ended because the client does not wait any more.
+    /// Waits for the program's end, and returns whether it has succeeded. `None` if it was ended since the client does
+    /// not wait any more.
     fn wait(&self, child: &mut Child) -> std::io::Result<Option<bool>> {
         loop {
             if let Some(status) = child.try_wait()? {
@@ -297,7 +299,7 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Ends a program as Ctrl-C does, so that it removes its drafts of files; one that does not listen is killed.
+/// Ends a program as Ctrl-C does, so that it removes its drafts of files. A program that does not react is killed.
 fn end(child: &mut Child) -> std::io::Result<()> {
     let pid = Pid::from_u32(child.id());
     let mut system = System::new();

@@ -1,4 +1,5 @@
-//! Diagnostics that are sent unasked, from a thread of their own: of several edits only the last one's.
+//! Sends diagnostics unasked, from a thread of its own. After several edits of a file only those of the last text are
+//! sent.
 
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,7 +20,7 @@ pub(super) enum News {
     Closed(Uri),
 }
 
-/// Starts the thread. It ends when nobody has news any more.
+/// Starts the thread that sends diagnostics. It ends once all senders of news are gone.
 pub(super) fn start(client: Arc<Client>, outgoing: Outgoing) -> Sender<News> {
     let (sender, news) = unbounded();
     thread::spawn(move || publish(&client, &outgoing, &news));
@@ -38,7 +39,7 @@ fn publish(client: &Client, outgoing: &Outgoing, news: &Receiver<News>) {
         for (uri, file) in latest {
             let version = file.as_ref().and_then(|f| f.version);
             let find = || file.map_or_else(Vec::new, |f| Convert::new(&f, client).diagnostics());
-            // A mistake of ours leaves the last diagnostics standing; its message is on standard error.
+            // If the check panics, the last diagnostics stay; the message of the panic is on standard error.
             let Ok(diagnostics) = catch_unwind(AssertUnwindSafe(find)) else {
                 continue;
             };

@@ -1,6 +1,6 @@
 //! Diagnostics that the client asks for: of an open file, and of all scenes in its folders.
 //!
-//! Each report has a name. Where the client has the report of that name, it is told that nothing has changed, and
+//! Each report has a name. If the client has the report of that name already, it is told that nothing has changed, and
 //! nothing is computed: clients ask for the whole folder every few seconds.
 
 use std::collections::{HashMap, HashSet};
@@ -31,7 +31,7 @@ pub(super) fn of_file(
     p: DocumentDiagnosticParams,
 ) -> Result<DocumentDiagnosticReport, Refusal> {
     let file = ask.file(&p.text_document)?;
-    // What is on disk changes unseen: its report has no name.
+    // A file on disk may change unseen, so that its report has no name.
     let name = file.version.map(|_| file.number.to_string());
     match name {
         Some(result_id) if p.previous_result_id.as_ref() == Some(&result_id) => {
@@ -56,7 +56,8 @@ pub(super) fn of_file(
     .into())
 }
 
-/// The findings of all scenes in the client's folders, and of those that are open. Files that are gone have none.
+/// The findings of all scenes in the client's folders, and of those that are open. Files that are gone get empty
+/// reports.
 pub(super) fn of_folders(
     ask: &Ask,
     p: WorkspaceDiagnosticParams,
@@ -94,7 +95,7 @@ pub(super) fn of_folders(
             items.push(report);
         }
     }
-    // What is left has gone, or is not looked at any more.
+    // The reports that are left are about files that have gone, or that are not looked at any more.
     items.extend(known.left().map(|uri| full(&uri, None, None, Vec::new())));
     let reported = items.iter().map(|report| key(uri_of_report(report)));
     let open = ask.files.keys().map(key);
@@ -149,8 +150,8 @@ fn full(uri: &Uri, version: Option<i32>, name: Option<String>, items: Vec<Diagno
     .into()
 }
 
-/// The names of the findings of a file that is not open, with its pictures shown and without: they are others once the
-/// file, the settings or the pictures are.
+/// Two names of a report about a file that is not open: for a file that shows pictures, and for one that shows none.
+/// Both change with the file and the settings, the first also with the pictures.
 struct NamesOnDisk([String; 2]);
 
 impl NamesOnDisk {

@@ -1,4 +1,4 @@
-//! The requests, one line each in the table, one short function each below it.
+//! The requests: each has a line in a table and a short function below it.
 
 use gen_lsp_types::*;
 use lsp_server::{ErrorCode, RequestId};
@@ -22,10 +22,10 @@ use crate::syntax::recognise;
 
 type Answer<T> = Result<T, Refusal>;
 
-/// A handler with its types taken off. It makes the whole message that answers.
+/// A handler of a method, with its types erased. It returns the whole answer message.
 pub(super) type Handler = Box<dyn Fn(&Ask, &RequestId, Value) -> Answer<String> + Send>;
 
-/// The thread that answers a request. Quick ones take their turn; slow ones have a thread of their own.
+/// The kind of thread that answers a request: quick requests take turns on shared threads, slow ones get a thread each.
 pub(super) enum Lane {
     Quick,
     Slow,
@@ -95,7 +95,7 @@ impl Find<'_> {
         })
     }
 
-    /// A request whose answer is written piece by piece.
+    /// Adds a request whose answer is written piece by piece.
     fn written<R: Request>(
         &mut self,
         lane: Lane,
@@ -122,8 +122,8 @@ impl Find<'_> {
 }
 
 impl Snapshot {
-    /// How the file is formatted. Nothing for what `zpg fmt` does not write to: it is excluded or no scene, or its settings
-    /// cannot be read.
+    /// The options for formatting the file. `None` if `zpg fmt` would not write to it: the file is excluded or no
+    /// scene, or its settings cannot be read.
     fn style(&self) -> Option<Options> {
         let config = self.config.as_ref().ok()?;
         let analysis = self.analysis();
@@ -133,8 +133,8 @@ impl Snapshot {
     }
 }
 
-/// Hints of the visible range. Some clients ask for the whole file: of a long one, hints are a hundred megabytes as
-/// text, and more as values.
+/// Answers with the hints of a range, written one by one. Some clients ask for the whole file, and the hints of a long
+/// file are a hundred megabytes as text, and more as values.
 fn inlay_hints(ask: &Ask, id: &RequestId, p: InlayHintParams) -> Answer<String> {
     let file = ask.file(&p.text_document)?;
     let convert = ask.convert(file);
@@ -175,8 +175,9 @@ fn complete(ask: &Ask, p: CompletionParams) -> Answer<Option<CompletionResponse>
         return Ok(None);
     }
     let found = completion::completion(convert.file.analysis(), offset, ask.client.language);
-    // A number and a name are compared with different words: ask again once it is known which it is. What is typed in full
-    // is not proposed, so ask again while anything may become that.
+    // The client has to ask again once it is known whether a number or a name is typed: they are compared with
+    // different words. A word that is typed in full is not proposed, so that the client has to ask again while a
+    // proposal may become one.
     let is_text = |p: &completion::Proposal| !p.insert.has_places();
     let is_incomplete = found.word.start == found.word.end || found.proposals.iter().any(is_text);
     let items = convert.completion(found);
@@ -245,7 +246,7 @@ fn format_range(ask: &Ask, p: DocumentRangeFormattingParams) -> Answer<Option<Ve
         return Ok(None);
     };
     let (first, mut last) = (p.range.start.line as usize, p.range.end.line as usize);
-    // A selection of whole lines ends where the next one begins.
+    // A selection of whole lines ends at the start of the next line.
     if p.range.end.character == 0 && last > first {
         last -= 1;
     }
@@ -307,7 +308,7 @@ fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionR
             out.push(action_of(&convert, &p.context.diagnostics, action).into());
         }
     }
-    // Those about no finding are offered when they are asked for, by kind or by hand.
+    // Actions that are not about a finding are offered only when they are asked for, by kind or by hand.
     let is_automatic = p.context.trigger_kind == Some(CodeActionTriggerKind::Automatic);
     let by_kind = p.context.only.is_some();
     let by_hand = by_kind || !is_automatic;
@@ -325,7 +326,7 @@ fn code_actions(ask: &Ask, p: CodeActionParams) -> Answer<Option<Vec<CodeActionR
 fn action_of(convert: &Convert, shown: &[Diagnostic], action: actions::Action) -> CodeAction {
     let kind = Some(CodeActionKind::QuickFix);
     let findings = convert.file.analysis().findings();
-    // The diagnostic that the client has for it.
+    // The diagnostic of the finding, as the client has it.
     let mends = |finding: usize| {
         let d = findings.get(finding)?;
         let range = convert.places.range(d.span);
@@ -368,7 +369,7 @@ fn action_of(convert: &Convert, shown: &[Diagnostic], action: actions::Action) -
     }
 }
 
-/// `codeAction/resolve`: the action comes back as it was sent, with its edit added.
+/// `codeAction/resolve`: the client sends an action back, and gets the same action with its edit.
 enum ResolveAction {}
 
 impl Request for ResolveAction {
@@ -494,7 +495,7 @@ fn prepare_calls(
     Ok(node.map(|n| vec![convert.call_item(n)]))
 }
 
-/// The file and the ID of an item that was sent before.
+/// The file and the entity's ID of a call hierarchy item that was sent before.
 fn called<'a>(ask: &'a Ask, item: &CallHierarchyItem) -> Answer<(Convert<'a>, u32)> {
     let uri = item.uri.clone();
     let convert = ask.convert(ask.file(&TextDocumentIdentifier { uri })?);

@@ -1,6 +1,6 @@
 //! Messages over standard input and output.
 //!
-//! Unlike the threads of `lsp-server`, these live on when a message cannot be understood: it is refused.
+//! Unlike the threads of `lsp-server`, the threads here live on when a message cannot be understood: they refuse it.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::thread::{self, JoinHandle};
@@ -15,11 +15,11 @@ use super::refusal::{Refusal, refusal};
 /// The longest message that is read, in bytes: larger than the largest scene.
 const MAX_MESSAGE: u64 = 1 << 32;
 
-/// The longest line of a header.
+/// The longest line of a header that is read at once, in bytes.
 const MAX_LINE: u64 = 1 << 13;
 
-/// Connects to standard input and output: the messages that come in, the way for those that go out, and the thread that
-/// writes there. The thread that reads ends with its input, or with the program.
+/// Connects to standard input and output. Returns the incoming messages, the sender for outgoing ones, and the thread
+/// that writes. The thread that reads ends with its input, or with the program.
 pub(super) fn connect() -> (
     Receiver<Message>,
     Sender<String>,
@@ -33,7 +33,7 @@ pub(super) fn connect() -> (
     (incoming, sender, writer)
 }
 
-/// Reads until the input ends or nobody listens. What is no message is refused.
+/// Reads messages until the input ends or nobody listens. Anything that is no message is refused.
 fn read(mut input: impl BufRead, to: &Sender<Message>, back: &Sender<String>) {
     while let Ok(Some(body)) = next(&mut input) {
         let message = serde_json::from_slice::<Message>(&body);
@@ -45,7 +45,7 @@ fn read(mut input: impl BufRead, to: &Sender<Message>, back: &Sender<String>) {
                 }
             }
             Err((id, why)) => {
-                // Editors show what a server writes there.
+                // Editors show what a server writes to standard error.
                 #[expect(clippy::print_stderr)]
                 {
                     eprintln!("zpg lsp: a message is refused: {}", why.message);
@@ -56,8 +56,8 @@ fn read(mut input: impl BufRead, to: &Sender<Message>, back: &Sender<String>) {
     }
 }
 
-/// The message, or why it is none, with its ID where it has one. What looks like an answer is taken for one that says
-/// nothing: two programs that refuse each other's answers would never end.
+/// Reads a message. The error is the message's ID, null if it has none, and the reason why it is no message. Anything
+/// that looks like an answer becomes an empty answer: two programs that refuse each other's answers would never end.
 fn understood(body: &[u8]) -> Result<Message, (Value, Refusal)> {
     let value: Value = serde_json::from_slice(body).map_err(|e| {
         let why = format!("this is no JSON: {e}");
@@ -92,7 +92,7 @@ fn next(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
             length = value.trim().parse::<u64>().ok();
         }
         if let (true, Some(length)) = (line.is_empty(), length.filter(|&n| n <= MAX_MESSAGE)) {
-            // Read piece by piece: what is claimed need not be there.
+            // The body is read piece by piece, so that a wrong length does not take memory for bytes that never come.
             let mut body = Vec::new();
             input.by_ref().take(length).read_to_end(&mut body)?;
             return Ok((body.len() as u64 == length).then_some(body));
@@ -100,8 +100,8 @@ fn next(input: &mut impl BufRead) -> io::Result<Option<Vec<u8>>> {
     }
 }
 
-/// A message without halves of surrogate pairs, which a string of UTF-16 may be cut to: each becomes U+FFFD, which is as
-/// long in UTF-16.
+/// Replaces halves of surrogate pairs in a message, which a string that was cut in UTF-16 may have, by U+FFFD. This is
+/// as long in UTF-16.
 fn without_halves(mut body: Vec<u8>) -> Vec<u8> {
     let unit = |body: &[u8], at: usize| {
         let digits = body.get(at..at + 6)?.strip_prefix(b"\\u")?;
@@ -117,14 +117,14 @@ fn without_halves(mut body: Vec<u8>) -> Vec<u8> {
                 body[at + 2..at + 6].copy_from_slice(b"fffd");
                 6
             }
-            // The sign after a backslash is taken with it.
+            // The character after a backslash belongs to it.
             _ => 2.min(body.len() - at),
         };
     }
     body
 }
 
-/// Writes until nobody has anything to say.
+/// Writes messages until all their senders are gone.
 fn write(mut output: impl Write, from: &Receiver<String>) -> io::Result<()> {
     for message in from {
         write!(output, "Content-Length: {}\r\n\r\n{message}", message.len())?;

@@ -1,4 +1,4 @@
-//! The tokens that a client has, so that it can be told what is different.
+//! The semantic tokens that a client has, so that only changes to them have to be sent.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -16,7 +16,7 @@ pub(super) struct TokensSent(Mutex<Sent>);
 struct Sent {
     /// The name of the next result.
     next: u64,
-    /// All open files. Of others nothing is kept: they are never closed.
+    /// The open files, each with its last result. Nothing is kept about other files, which are never closed.
     files: HashMap<Uri, Option<Named>>,
 }
 
@@ -28,12 +28,12 @@ impl TokensSent {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Starts to keep what is sent of a file, which is now open.
+    /// Begins to keep the tokens that are sent for a file, which is open now.
     pub(super) fn open(&self, uri: &Uri) {
         self.sent().files.entry(uri.clone()).or_default();
     }
 
-    /// Keeps what is sent whole, under a name, if the file is open; it may have been closed meanwhile.
+    /// Keeps tokens that are sent whole, under a new name, if the file is open. It may have been closed meanwhile.
     pub(super) fn keep(&self, uri: &Uri, data: Vec<SemanticToken>) -> SemanticTokens {
         let mut sent = self.sent();
         let name = sent.name();
@@ -47,7 +47,7 @@ impl TokensSent {
         }
     }
 
-    /// The difference from the tokens of that name; all tokens if the client has others.
+    /// The difference of `data` from the tokens with the name `previous`; all tokens if the client has others.
     pub(super) fn delta(
         &self,
         uri: &Uri,
@@ -80,7 +80,8 @@ impl Sent {
     }
 }
 
-/// The edit between the tokens that are the same at the start and those that are the same at the end.
+/// The edit that replaces all tokens between those that are the same at the start and those that are the same at the
+/// end; no edit if all are the same.
 fn edits(old: &[SemanticToken], new: &[SemanticToken]) -> Vec<SemanticTokensEdit> {
     let same = old.iter().zip(new).take_while(|(a, b)| a == b).count();
     if same == old.len() && same == new.len() {

@@ -1,4 +1,4 @@
-//! The files that the client has been told about.
+//! The files that the client has got reports about.
 
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -8,8 +8,9 @@ use gen_lsp_types::Uri;
 
 use super::uri::key;
 
-/// The files that the client has been told about. When one is closed and gone, Visual Studio Code's client forgets the
-/// report's name, and shows the report all the same; so it is told in each report of the folder that there is nothing.
+/// The files that the client has got reports about. When such a file is closed and gone, Visual Studio Code's client
+/// forgets the name of the report, but still shows the report. Therefore each report of the folder says that the file
+/// has no findings.
 #[derive(Default)]
 pub(super) struct Told(Mutex<HashMap<PathBuf, Uri>>);
 
@@ -19,7 +20,7 @@ impl Told {
         all.entry(key(uri)).or_insert_with(|| uri.clone());
     }
 
-    /// The URIs of the files that the client has been told about, but for those in `named`.
+    /// The URIs of the files that the client has got reports about, except those in `named`.
     pub(super) fn others(&self, named: &HashSet<PathBuf>) -> Vec<Uri> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let others = all.iter().filter(|(path, _)| !named.contains(*path));

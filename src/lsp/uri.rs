@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use gen_lsp_types::Uri;
 use url::Url;
 
-/// The path of a file; `None` for what is no file: a text that was never saved.
+/// The path of a file; `None` if the URI is not of a file, as that of a text that was never saved.
 pub(super) fn path_of(uri: &Uri) -> Option<PathBuf> {
     let url = Url::parse(uri.as_ref()).ok()?;
     (url.scheme() == "file").then(|| url.to_file_path().ok())?
 }
 
-/// The key that tells files apart: clients do not all write the same characters in URIs as they are.
+/// The key that tells files apart: clients differ in the characters of a URI that they escape.
 pub(super) fn key(uri: &Uri) -> PathBuf {
     path_of(uri).unwrap_or_else(|| uri.0.clone().into())
 }
@@ -21,7 +21,7 @@ pub(super) fn is_uri(uri: &Uri) -> bool {
     Url::parse(uri.as_ref()).is_ok()
 }
 
-/// The URI of a file.
+/// The URI of a file; `None` if the path cannot be made absolute.
 pub(super) fn uri_of(path: &Path) -> Option<Uri> {
     let path = std::path::absolute(path).ok()?;
     Some(Uri(Url::from_file_path(path).ok()?.into()))

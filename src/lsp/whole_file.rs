@@ -1,5 +1,5 @@
-//! Actions that change a whole file. Their edits are computed when somebody has chosen one: of a large scene they take
-//! long, and clients ask what there is at every move of the cursor.
+//! Code actions that change a whole file. Their edits are computed once an action is chosen: for a large scene this
+//! takes long, and clients ask for actions at every move of the cursor.
 
 use gen_lsp_types::{CodeAction, Command};
 use serde_json::{Value, json};
@@ -47,7 +47,7 @@ impl WholeFile {
         }
     }
 
-    /// Whether the action may have something to do, at a glance.
+    /// Whether the action may have something to do, by a quick check.
     pub(super) fn is_of_use(self, analysis: &Analysis) -> bool {
         match self {
             WholeFile::FixAll => actions::has_safe_fixes(analysis),
@@ -62,8 +62,9 @@ impl WholeFile {
         }
     }
 
-    /// The action as it is offered. Who asks for its kind wants its edit; else that comes when the action is chosen, by
-    /// `codeAction/resolve` or by a command. A client that knows neither is offered nothing.
+    /// The action as it is offered. A client that resolves actions gets the edit once it has chosen the action. Another
+    /// one gets the edit at once if it asks for this kind, or later by a command. `None` for a client that can do
+    /// neither.
     pub(super) fn offer(self, ask: &Ask, convert: &Convert, by_kind: bool) -> Option<CodeAction> {
         let uri = json!(convert.file.uri);
         let title = ask.client.language.say(self.title(), &[]);

@@ -14,13 +14,16 @@ use super::uri::{path_of, uri_of};
 use crate::analysis::{Analysis, file};
 use crate::features::symbols;
 
-/// How many symbols are given, entries of a folder and scenes looked at, and bytes read of those.
+/// The largest number of symbols in an answer.
 const MAX_SYMBOLS: usize = 500;
+/// The largest number of a folder's entries that are looked at.
 const MAX_ENTRIES: usize = 20_000;
+/// The largest number of scenes that are looked at.
 const MAX_FILES: usize = 2000;
+/// The largest number of bytes of these scenes together.
 const MAX_BYTES: u64 = 32_000_000;
 
-/// How the names of pictures end that a scene may show.
+/// The extensions of the pictures that a scene may show.
 pub(super) const PICTURES: [&str; 3] = ["png", "jpg", "jpeg"];
 
 /// A scene on disk.
@@ -30,7 +33,7 @@ pub(super) struct OnDisk {
     pub metadata: Metadata,
 }
 
-/// The scenes in the client's folders, open or not, as far as there are not too many.
+/// The scenes in the client's folders, open or not, up to the limits on entries, scenes and bytes.
 pub(super) fn scenes(ask: &Ask) -> impl Iterator<Item = OnDisk> {
     let folders = ask.folders.iter().filter_map(path_of);
     let walk = folders.flat_map(|folder| WalkBuilder::new(folder).build().take(MAX_ENTRIES));
@@ -52,7 +55,7 @@ pub(super) fn scenes(ask: &Ask) -> impl Iterator<Item = OnDisk> {
     })
 }
 
-/// The entities that a query fits, of open files first.
+/// The entities that match a query, those of open files first.
 pub(super) fn symbols(ask: &Ask, query: &str) -> Vec<WorkspaceSymbol> {
     let mut out = Vec::new();
     for file in ask.files.values() {

@@ -1,4 +1,4 @@
-//! The colour that was meant as the background, where the render record does not say.
+//! The colour that was meant as the background, where the render record names none.
 
 use rustc_hash::FxHashSet;
 
@@ -20,14 +20,14 @@ const WORDS: [&str; 7] = [
     "pozadi",
 ];
 
-/// A colour that nothing else needs.
+/// A colour that no record names, so that it may be meant as the background.
 pub struct Background {
     pub id: u32,
-    /// Whether a comment on its line calls it so.
+    /// Whether a comment on the line of the colour calls it a background.
     pub is_called_so: bool,
 }
 
-/// The only colour that no record names; of several the only one that a comment calls the background.
+/// The only colour that no record names. If there are several, the only one of them that a comment calls a background.
 pub fn meant(document: &Document, text: &str, entities: &[Entity]) -> Option<Background> {
     let colours = || entities.iter().filter(|e| e.kind == Some(Kind::Colour));
     colours().next()?;
@@ -36,7 +36,7 @@ pub fn meant(document: &Document, text: &str, entities: &[Entity]) -> Option<Bac
         match item {
             Item::Void { .. } => {}
             Item::Record(record) => named.extend(references(document, record)),
-            // Any whole number of a record that cannot be read may be a name.
+            // Any whole number of a record that cannot be read may be a reference to a colour.
             Item::Broken(broken) => {
                 let tokens = document.significant(broken.first, broken.last).skip(2);
                 named.extend(tokens.filter_map(|t| u32::try_from(t.integer(text)?).ok()));

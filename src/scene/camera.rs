@@ -47,7 +47,8 @@ pub(super) fn projecting(id: u32, projection: Matrix) -> Camera {
     }
 }
 
-/// A camera moved by an affine matrix; `None` where it would be no camera any more.
+/// A camera moved by an affine matrix. `None` if a number is not finite or the direction and the up vector become
+/// parallel.
 pub(super) fn moved(camera: &Camera, m: &Matrix) -> Option<Camera> {
     let camera = Camera {
         position: m.point(camera.position),

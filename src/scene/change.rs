@@ -68,7 +68,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// -601 and -602.
+    /// Adds the bounding volume of a -601 or -602 record.
     fn promise(&mut self, p: &Params, state: State) {
         let volume = match p.ty.kind {
             RecordKind::BoundingBox => match checks::ordered(p, 0, 3, &mut self.out) {
@@ -95,7 +95,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// -299.
+    /// Applies a -299 record, which gives an object a texture and optics.
     fn assign(&mut self, p: &Params) {
         let texture = self.reference(p, 0, false);
         let optics = self.reference(p, 1, false);
@@ -123,7 +123,7 @@ impl Resolver<'_> {
         let Some(State::Object(node)) = self.state(id) else {
             return;
         };
-        // Properties given one after the other are one paint.
+        // Properties given one after the other are merged into one paint.
         let (child, mut paint) = match self.scene.nodes[node as usize] {
             Node::Paint { child, paint } if self.scene.paints[paint as usize].owner == id => {
                 (child, self.scene.paints[paint as usize].clone())
@@ -152,7 +152,7 @@ impl Resolver<'_> {
         self.set_state(id, State::Object(painted));
     }
 
-    /// The index of one more matrix.
+    /// Adds a matrix to the scene and returns its index.
     fn matrix(&mut self, m: Matrix) -> u32 {
         self.scene.matrices.push(m);
         self.scene.matrices.len() as u32 - 1
@@ -161,7 +161,7 @@ impl Resolver<'_> {
     fn transform(&mut self, p: &Params, state: State, m: &Matrix) {
         let moved = match state {
             State::Object(node) => {
-                // Moves one after the other are one matrix.
+                // Moves one after the other are merged into one matrix.
                 let (child, matrix) = match self.scene.nodes[node as usize] {
                     Node::Transform { child, matrix } => {
                         (child, m.after(&self.scene.matrices[matrix as usize]))

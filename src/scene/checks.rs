@@ -5,7 +5,7 @@ use super::record::Params;
 use super::sizes::{Readings, readings};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 
-/// E203 unless the three parameters from `first` on make a vector with a direction.
+/// Reports E203 if the three parameters from `first` on are the zero vector, which has no direction.
 pub(super) fn non_zero(
     p: &Params,
     first: usize,
@@ -23,7 +23,8 @@ pub(super) fn non_zero(
     None
 }
 
-/// Reports E202 unless each of `n` lower bounds from `first` on is below its upper bound, `n` further on.
+/// Reports E202 if one of the `n` lower bounds from parameter `first` on is greater than its upper bound, which stands
+/// `n` parameters further on.
 pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnostic>) -> Option<()> {
     let inverted: Vec<usize> = (first..first + n)
         .filter(|&i| p.number(i) > p.number(i + n))
@@ -31,7 +32,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     if inverted.is_empty() {
         return Some(());
     }
-    // The bound that belongs to each place.
+    // For each place, the parameter that belongs there if the inverted pairs are swapped.
     let swapped: Vec<usize> = (first..first + 2 * n)
         .map(|i| match i < first + n {
             true if inverted.contains(&i) => i + n,
@@ -43,14 +44,14 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         .iter()
         .flat_map(|end| (0..n).map(move |i| first + 2 * i + end))
         .collect();
-    // Lower and upper bounds in turn, each pair in order and not equal: xmin xmax ymin ymax zmin zmax. Where the bounds
-    // come out the same when they are swapped, there is nothing to choose.
+    // The bounds may be written in turn, xmin xmax ymin ymax zmin zmax, if each such pair is in order and not equal. If
+    // swapping the inverted pairs gives the same bounds, there is nothing to choose.
     let in_turn = (0..n).all(|i| p.number(first + 2 * i) < p.number(first + 2 * i + 1))
         && !sorted
             .iter()
             .zip(&swapped)
             .all(|(&a, &b)| p.number(a) == p.number(b));
-    // Bounds are often the same number with either sign.
+    // Bounds are often one number with both signs, so the order with more such pairs is likelier.
     let symmetric = |order: &[usize]| {
         let is_one = |&i: &usize| p.number(order[i]) == -p.number(order[i + n]);
         (0..n).filter(is_one).count()
@@ -69,9 +70,9 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
             edits: edits.collect(),
         }
     };
-    // A corner or the centre and a size, as other programs have it.
+    // The numbers may be a corner or the centre, and a size, as in other programs.
     let Readings { mut fixes, said } = readings(p, first, n);
-    // Where bounds may be in turn, too, a corner is enough.
+    // If the bounds may also be written in turn, only the first reading as a size is kept.
     match (is_sorted, in_turn) {
         _ if said => {}
         (true, _) => fixes.clear(),
@@ -85,7 +86,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         out.push(inverted_range(p, &inverted, n));
         return None;
     }
-    // A corner or a centre says enough.
+    // If the numbers may be a corner or a centre and a size, no single wrong number is looked for.
     let other = (sizes.is_empty() && !is_sorted).then(|| misread(p, first, n));
     let is_doubted = (other.as_ref()).is_some_and(|m| m.equal.is_some() || !m.points.is_empty());
     let has_signs = other.as_ref().is_some_and(|m| !m.signs.is_empty());
@@ -104,7 +105,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
         (!said && in_turn && !is_sorted).then(|| fix("fix-order", &sorted, Applicability::Choice));
     let fixes = &mut out.last_mut()?.fixes;
     match in_turn || said {
-        // Three pairs in turn, one of them swapped, are rarer than a size.
+        // A corner or centre and a size are commoner than swapped bounds here, so those fixes come first.
         true => drop(fixes.splice(0..0, sizes)),
         false => fixes.extend(sizes),
     }
@@ -121,7 +122,7 @@ pub(super) fn ordered(p: &Params, first: usize, n: usize, out: &mut Vec<Diagnost
     None
 }
 
-/// The finding that lower bounds are greater than their upper ones, `n` further on.
+/// E202: the lower bounds at the parameters `inverted` are greater than their upper bounds, `n` parameters further on.
 fn inverted_range(p: &Params, inverted: &[usize], n: usize) -> Diagnostic {
     let name = |i: usize| p.param(i).map_or("", |q| q.name);
     let at = inverted[0];

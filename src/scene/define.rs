@@ -8,7 +8,7 @@ use super::{geometry, matrices};
 use crate::syntax::table::RecordKind;
 
 impl Resolver<'_> {
-    /// The state that a defining record gives its ID; `None` where it is broken, with findings.
+    /// The state that a defining record gives its ID. `None` where the record is wrong, which is reported.
     pub(super) fn definition(&mut self, p: &Params) -> Option<State> {
         match p.ty.kind {
             RecordKind::Shape(kind) => {
@@ -70,7 +70,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// The state of a copy with this ID.
+    /// Copies a state for the ID `id`.
     fn copy(&mut self, state: State, id: u32) -> State {
         let values = &mut self.values;
         match state {

@@ -1,9 +1,9 @@
-//! The entity of an ID while the file is read.
+//! The values of IDs while the file is read.
 
 use super::model::*;
 use crate::syntax::table::Kind;
 
-/// The parts of an optical property; what is not given stays the default.
+/// The parts of an optical property. A part that is not given keeps its default.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct OpticsParts {
     pub optics: Option<Optics>,
@@ -24,13 +24,13 @@ pub(super) enum State {
     Camera(u32),
     Selection,
     Render,
-    /// Defined by a record that could not be read: references to it are no errors.
+    /// An ID that a broken record defines. A reference to it is an error only if the kind is known and does not fit.
     Broken(Option<Kind>),
     /// An ID whose value is in the scene already.
     Stored,
 }
 
-// A large scene has millions of them.
+// A large scene has millions of these values.
 const _: () = assert!(size_of::<State>() == 8);
 
 /// The values of all entities that are not objects.
@@ -44,13 +44,13 @@ pub(super) struct Values {
     pub cameras: Vec<Camera>,
 }
 
-/// Adds a value, and says where it stands.
+/// Adds a value and returns its index.
 pub(super) fn keep<T>(values: &mut Vec<T>, value: T) -> u32 {
     values.push(value);
     values.len() as u32 - 1
 }
 
-/// Adds a copy of a value, and says where the copy stands.
+/// Adds a copy of the value at index `at` and returns the index of the copy.
 pub(super) fn again<T: Clone>(values: &mut Vec<T>, at: u32) -> u32 {
     let value = values[at as usize].clone();
     keep(values, value)

@@ -1,4 +1,4 @@
-//! The shapes of the language: each as a record makes it, and as a record of it.
+//! The shapes of the language: how a record makes them, and how they are written as records.
 
 use super::checks::{non_zero, ordered};
 use super::model::{Rgb, Vec3};
@@ -6,8 +6,8 @@ use super::record::Params;
 use crate::diagnostics::Diagnostic;
 use crate::syntax::table::ShapeKind;
 
-/// The shapes of the language with their parameters as written. What is large and seldom met is boxed: scenes of
-/// millions of spheres are kept in memory.
+/// The shapes of the language with their parameters as written. Large and rare variants are boxed, so that scenes of
+/// millions of spheres take less memory.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Geometry {
     /// Types 1 and 2: `profile[i]` is (x, y); `colours` is empty or as long as the profile.
@@ -136,8 +136,8 @@ impl Geometry {
         }
     }
 
-    /// The type of the record that the shape is written as, and its parameters. A sphere at the origin is
-    /// of the type that has no centre.
+    /// The record type that the shape has when it is written, and its parameters. A sphere at the origin has the type
+    /// without a centre.
     pub fn record(&self) -> (ShapeKind, Vec<Parameter>) {
         fn reals(parts: &[&[f64]]) -> Vec<Parameter> {
             let all = parts.iter().copied().flatten();
@@ -207,8 +207,7 @@ impl Geometry {
     }
 }
 
-/// The geometry of a shape record; findings go to `out`. A value comes back even so, where one can
-/// be made.
+/// The geometry of a shape record. `None` if a parameter is wrong; findings go to `out`.
 pub fn shape(kind: ShapeKind, p: &Params, out: &mut Vec<Diagnostic>) -> Option<Geometry> {
     let sound = p.check_constraints(out);
     let geometry = match kind {

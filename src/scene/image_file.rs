@@ -1,17 +1,17 @@
-//! Image files that a scene names: only from the scene's own folder.
+//! Checks of the image files that a scene names, which must lie in the scene's own folder.
 
 use std::io::{self, Read};
 use std::path::{Component, Path};
 
 use crate::diagnostics::{Code, Complaint, Diagnostic, Span};
 
-/// How a JPEG picture begins.
+/// The first bytes of a JPEG file.
 pub(crate) const JPEG: [u8; 3] = [0xff, 0xd8, 0xff];
 
-/// The case of E209 for a path that is right with `/` in the place of `\`.
+/// The case of E209 for a path that would be right with `/` instead of `\`.
 pub(crate) const BACKSLASH: &str = "backslash";
 
-/// A path as a scene has it on every system.
+/// The path with `/` between its parts, as scenes have it on every system.
 pub(crate) fn with_slashes(file: &str) -> String {
     file.replace('\\', "/")
 }
@@ -22,7 +22,8 @@ fn is_inside(path: &Path) -> bool {
     parts.all(|c| matches!(c, Component::Normal(_) | Component::CurDir))
 }
 
-/// Checks a file name; `folder` is where the scene lies, if it is a file. `true` if it can be used.
+/// Checks the file name of an image and reports what is wrong. `folder` is the folder of the scene, or `None` if the
+/// scene is no file. Returns whether the image can be used.
 pub(crate) fn check(
     file: &str,
     span: Span,
@@ -62,7 +63,7 @@ pub(crate) fn check(
 /// Whether a file begins like a PNG or JPEG picture.
 pub(crate) fn is_picture(path: &Path) -> io::Result<bool> {
     let mut start = Vec::new();
-    // Only what lies on disk: opening a pipe would wait for somebody to write.
+    // Only regular files are opened: opening a pipe would wait for somebody to write.
     if std::fs::metadata(path)?.is_file() {
         let file = std::fs::File::open(path)?;
         file.take(8).read_to_end(&mut start)?;

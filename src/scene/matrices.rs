@@ -5,7 +5,7 @@ use super::sight::{Blind, Sight};
 use crate::diagnostics::{Code, Diagnostic, Edit, Fix, Value};
 use crate::geometry::Matrix;
 
-/// E204 unless the matrix is affine (last row 0 0 0 1) and can be inverted.
+/// The matrix of a record. Reports E204 unless it is affine (last row 0 0 0 1) and can be inverted.
 pub(super) fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     let m = Matrix::from_rows(&p.numbers(0));
     if m.0[3] != [0.0, 0.0, 0.0, 1.0] {
@@ -20,7 +20,7 @@ pub(super) fn affine(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     invertible(p, m, out)
 }
 
-/// The matrix with rows and columns exchanged: in other programs matrices act on rows.
+/// The fix that exchanges rows and columns: in other programs matrices act on row vectors.
 fn transpose(p: &Params) -> Fix {
     let new = (0..16).map(|i| (i, p.text_of(i % 4 * 4 + i / 4)));
     let edits = new
@@ -32,8 +32,8 @@ fn transpose(p: &Params) -> Fix {
     Fix::guess("fix", edits.collect())
 }
 
-/// The matrix of a -99 record: E204 unless it can be inverted, E207 unless it has a ray for every
-/// point of the picture.
+/// The matrix of a -99 record. Reports E204 unless it can be inverted, and E207 unless it has a ray for every point of
+/// the picture.
 pub(super) fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     let m = Matrix::from_rows(&p.numbers(0));
     match Sight::of(&m) {
@@ -49,7 +49,7 @@ pub(super) fn projection(p: &Params, out: &mut Vec<Diagnostic>) -> Option<Matrix
     }
 }
 
-/// E204 unless the matrix can be inverted.
+/// Returns the matrix if it can be inverted, and reports E204 if not.
 fn invertible(p: &Params, m: Matrix, out: &mut Vec<Diagnostic>) -> Option<Matrix> {
     if m.is_plainly_invertible() {
         return Some(m);

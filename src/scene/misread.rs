@@ -1,4 +1,4 @@
-//! Bounds out of order of which one number may be written wrongly: its sign or its point is lost.
+//! Bounds that are out of order, perhaps because one number has lost its sign or its decimal point.
 
 use super::record::Params;
 use super::sizes::EQUAL;
@@ -8,17 +8,17 @@ use crate::syntax::{opposite, quote, with_point};
 /// The gap between two edges that are equal but for rounding, as a share of their length.
 const EDGE_REL_GAP: f64 = 1e-9;
 
-/// The choices that bring `n` lower bounds from `first` on and as many upper ones into order by one number each.
+/// The fixes that bring bounds into order by a change of one number each.
 pub(super) struct Misread {
-    /// The one that makes all edges equal, where a comment says that they are.
+    /// The fix that makes all edges equal, if a comment says that they are equal.
     pub equal: Option<Fix>,
-    /// Numbers that begin with a zero, with a point.
+    /// Fixes that put a decimal point into a number that begins with a zero.
     pub points: Vec<Fix>,
-    /// The other sign of a number.
+    /// Fixes that change the sign of a number.
     pub signs: Vec<Fix>,
 }
 
-/// The readings of the bounds with one other number.
+/// Finds the fixes for the `n` lower bounds from parameter `first` on and the `n` upper bounds behind them.
 pub(super) fn misread(p: &Params, first: usize, n: usize) -> Misread {
     let says_equal = p.is_called(&EQUAL);
     let mut all = Misread {
@@ -50,7 +50,7 @@ pub(super) fn misread(p: &Params, first: usize, n: usize) -> Misread {
     all
 }
 
-/// The lengths of the edges with one number written so, if all bounds are in order then.
+/// The lengths of the edges if parameter `at` were `text`. `None` if bounds are still out of order then.
 fn edges(p: &Params, (first, n): (usize, usize), (at, text): (usize, &str)) -> Option<Vec<f64>> {
     let written: f64 = text.parse().ok()?;
     let number = |i: usize| if i == at { written } else { p.number(i) };
@@ -58,8 +58,8 @@ fn edges(p: &Params, (first, n): (usize, usize), (at, text): (usize, &str)) -> O
     edges.map(|e| (e > 0.0).then_some(e)).collect()
 }
 
-/// A number that begins with a zero, with a point behind that, and with one in the place of that behind the next digit:
-/// `015` may be `0.15` or `1.5`.
+/// The numbers that may be meant by one that begins with a zero and has no point: `015` may be `0.15` or `1.5`. Empty
+/// for other numbers.
 fn with_points(text: &str) -> Vec<String> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let sign = if text.starts_with('-') { "-" } else { "" };

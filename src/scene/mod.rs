@@ -1,5 +1,5 @@
-//! The tree read as a program of assignments, in file order: what every ID stands for at the end,
-//! what is drawn, lit and seen.
+//! Reads the syntax tree as a program of assignments, in file order. The [`Scene`] holds the value of every ID at the
+//! end of the file, and what is drawn, lit and seen.
 //!
 //! Objects are nodes of an arena that never change once they are made: an operation names its
 //! operands' nodes as they are at that point, and a later change of an operand makes a new node.

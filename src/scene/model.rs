@@ -28,38 +28,39 @@ pub struct Scene {
     pub shapes: Vec<Shape>,
     /// The matrices of transformations.
     pub matrices: Vec<Matrix>,
-    /// The properties that are painted on.
+    /// The properties that objects were given.
     pub paints: Vec<Paint>,
-    /// Ambient and point lights as they stand at the end of the file, in file order.
+    /// Ambient lights as they stand at the end of the file, in file order.
     pub ambient_lights: Vec<AmbientLight>,
-    /// Point lights, likewise.
+    /// Point lights as they stand at the end of the file, in file order.
     pub point_lights: Vec<PointLight>,
     /// Cameras as they stand at the end of the file, in file order.
     pub cameras: Vec<Camera>,
     /// The cameras that take the picture.
     pub view: View,
-    /// The render record, if there is one that can be followed.
+    /// The render record. `None` if there is none, or if its reference to an object leads nowhere.
     pub render: Option<Render>,
-    /// The bounding volumes.
+    /// The bounding volumes, each with the node that is promised to lie inside.
     pub promises: Vec<Promise>,
     /// Every entity, in the order of definition.
     pub entities: Vec<Entity>,
     /// A number for every ID that is defined, from 0 on in the order of first definition.
     pub ids: IdTable,
-    /// The earlier state of each transformation or paint that goes on from one which others need as it is.
+    /// The step to a moved or painted node from an earlier state of its object that something else uses. Consecutive
+    /// moves share one node, and so do consecutive paints, so the child of the node is an even earlier state.
     pub steps: FxHashMap<NodeId, Derivation>,
 }
 
-/// How an object in the arena came of an earlier state of the same one.
+/// The step from an earlier state of an object to a later one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Derivation {
     /// The node of the earlier state.
     pub from: NodeId,
-    /// The matrix that a transformation applies after the earlier one; index into [`Scene::matrices`].
+    /// Index into [`Scene::matrices`] of the matrix by which the step moves the earlier state. `None` for a paint.
     pub matrix: Option<u32>,
 }
 
-/// An object in the arena.
+/// A node of the arena: an object as it is at one point of the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Node {
     /// Index into [`Scene::shapes`].
@@ -79,14 +80,15 @@ pub enum Node {
         /// Index into [`Scene::matrices`].
         matrix: u32,
     },
-    /// The child with [`Scene::paints`]`[paint]` over what its parts have of those aspects.
+    /// The child with the properties in [`Scene::paints`]`[paint]`. Each of them that is set overrides what the child's
+    /// parts have.
     Paint {
         /// The node that is painted.
         child: NodeId,
         /// Index into [`Scene::paints`].
         paint: u32,
     },
-    /// The entity `id` is a copy of the child: what the copied entity itself owned is now `id`'s.
+    /// The entity `id`, which is a copy of the child. What the copied entity owned belongs to `id` in the copy.
     Copy {
         /// The node that is copied.
         child: NodeId,
@@ -96,7 +98,7 @@ pub enum Node {
 }
 
 impl Node {
-    /// The nodes that the node is made of; two for an operation with two operands.
+    /// The operands of an operation or complement, or the node that is moved, painted or copied. None for a shape.
     pub fn children(self) -> impl DoubleEndedIterator<Item = NodeId> + Clone {
         let [first, second] = match self {
             Node::Shape(_) => [None; 2],
@@ -118,14 +120,14 @@ impl Scene {
         self.view.cameras().filter_map(|i| self.cameras.get(i))
     }
 
-    /// Whether any optics mirror or let light through: then things are seen that no camera looks at.
+    /// Whether any optics reflect or transmit light. Rays then also meet objects at which no camera looks.
     pub fn has_mirrors_or_glass(&self) -> bool {
         let mut optics = self.paints.iter().filter_map(|p| p.optics);
         optics.any(|o| o.ks != [0.0; 3] || o.kt != [0.0; 3])
     }
 
-    /// The shapes and where they are written, in file order: each has one node, and [`shapes`](Self::shapes) has the
-    /// order of the nodes.
+    /// The shapes and the places of their records, in file order. Each shape has one node, and [`shapes`](Self::shapes)
+    /// is in the order of the nodes.
     pub fn written_shapes(&self) -> impl Iterator<Item = (&Shape, Span)> {
         debug_assert_eq!(self.nodes.len(), self.origins.len());
         let nodes = self.nodes.iter().zip(&self.origins);
@@ -135,7 +137,7 @@ impl Scene {
         })
     }
 
-    /// Has all that was made by records lie elsewhere.
+    /// Replaces every span in the scene; `to` gives the new span for an old one.
     pub fn move_spans(&mut self, to: impl Fn(Span) -> Span) {
         self.origins.iter_mut().for_each(|o| o.span = to(o.span));
         self.promises.iter_mut().for_each(|p| p.span = to(p.span));
@@ -169,7 +171,7 @@ pub struct Shape {
     pub geometry: Geometry,
 }
 
-// A large scene has millions of them.
+// A large scene has millions of these values.
 const _: () = assert!(size_of::<Shape>() <= 64);
 
 impl Shape {
@@ -193,35 +195,35 @@ pub enum Texture {
         /// The colours that alternate.
         colours: [Rgb; 2],
     },
-    /// Cubes of this edge, in the coordinates of the node that is painted.
+    /// Cubes of two alternating colours, in the coordinates of the node that is painted.
     Solid {
         /// The colours that alternate.
         colours: [Rgb; 2],
         /// The edge of a cube.
         size: f64,
     },
-    /// A file name beside the scene, and where it is written.
+    /// An image file in the scene's folder.
     Image {
         /// The file name as it is written.
         file: String,
-        /// The place of the texture in the text.
+        /// The place of the file name in the text.
         span: Span,
     },
 }
 
-/// Part of a cell by which the borders between cells are moved down: faces that lie in one are in the cell above,
-/// whatever their points are rounded to. Some millions of roundings.
+/// The distance, in cells, by which the borders between the cells of a pattern are moved down. A face that lies in a
+/// border is then wholly in the cell above, however its points are rounded. The distance is some millions of roundings.
 pub const CELL_NUDGE: f64 = 1e-9;
 
 impl Texture {
-    /// The colour of a pattern's two at a place, given in cells along each coordinate.
+    /// The colour at a place in a pattern of two colours. `cells` are the coordinates of the place, in cells.
     pub fn cell_colour(colours: &[Rgb; 2], cells: &[f64]) -> Rgb {
         let sum: f64 = cells.iter().map(|x| (x + CELL_NUDGE).floor()).sum();
         colours[usize::from(sum.rem_euclid(2.0) >= 1.0)]
     }
 }
 
-/// Diffuse, mirrored and transmitted parts, each per channel.
+/// The diffuse, mirrored and transmitted parts of light, each per colour channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Optics {
     /// The diffuse part.
@@ -243,12 +245,12 @@ impl Default for Optics {
     }
 }
 
-/// The colour of everything that nobody gave one.
+/// The colour of everything that was given none.
 pub const DEFAULT_COLOUR: Rgb = [1.0; 3];
-/// The refractive index of everything that nobody gave one, and of the space outside.
+/// The refractive index of everything that was given none, and of the space outside of all objects.
 pub const DEFAULT_INDEX: Rgb = [1.0; 3];
 
-/// Properties given to an object: each aspect that is set overrides what the parts have of it.
+/// Properties that an object was given. Each one that is set overrides what the object's parts have.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Paint {
     /// The entity that was given these properties.
@@ -299,7 +301,8 @@ pub struct Camera {
     pub up: Vec3,
     /// Vertical field of view in degrees; meaningless with a projection matrix.
     pub fovy: f64,
-    /// clip = projection · view · x, OpenGL's clip cube.
+    /// The projection matrix, if the camera has one: clip coordinates = projection · view · point, with OpenGL's clip
+    /// cube.
     pub projection: Option<Matrix>,
 }
 
@@ -384,19 +387,19 @@ pub enum Volume {
 pub struct Entity {
     /// The ID.
     pub id: u32,
-    /// `None` where the record that defines it is broken beyond telling.
+    /// The kind of the value. `None` where the record that defines the ID is broken and its type is unknown.
     pub kind: Option<Kind>,
-    /// See [`Entity::node`].
+    /// The node of an object; `NO_NODE` for an entity of another kind.
     node: NodeId,
     /// The ID token of the record that defines the entity.
     pub span: Span,
 }
 
-// A large scene has millions of them.
+// A large scene has millions of these values.
 const _: () = assert!(size_of::<Entity>() == 20);
 
 impl Entity {
-    /// Stands for an entity that is no object: no scene has as many nodes.
+    /// The value of `node` for an entity that is no object. No scene has as many nodes.
     const NO_NODE: NodeId = NodeId::MAX;
 
     /// An entity without a node yet.
@@ -410,7 +413,7 @@ impl Entity {
         }
     }
 
-    /// The node of an object, as it stands at the end of the file.
+    /// The node of an object at the end of the file. `None` if the entity is no object.
     pub fn node(&self) -> Option<NodeId> {
         (self.node != Entity::NO_NODE).then_some(self.node)
     }

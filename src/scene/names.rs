@@ -1,22 +1,23 @@
-//! The names of entities that each entity mentions, in one compressed table.
+//! The IDs to which the records of each entity refer, in one compact table.
 
 use super::model::Scene;
 use crate::syntax::table::{Param, ParamKind};
 use crate::syntax::{Document, Item, Record};
 
-/// For each ID, by its number in [`Scene::ids`], the numbers of those that its records name, whether these records define
-/// it or change it; in file order.
+/// For each ID, the IDs to which its records refer, in file order: the record that defines the ID and those that change
+/// it. All IDs stand as their numbers in [`Scene::ids`].
 pub struct Names {
-    /// Start of the names of each ID; one more entry at the end.
+    /// The index in `names` where the names of each ID start. One more entry holds the end.
     starts: Vec<u32>,
     names: Vec<u32>,
 }
 
 impl Names {
-    /// `None` if a record names what is not there.
+    /// Builds the table. `None` if a record refers to an ID that the scene does not have.
     pub fn new(document: &Document, scene: &Scene) -> Option<Names> {
         let records = || document.items.iter().filter_map(Item::record);
-        // Counted first, then written down: a list of pairs would take as much again.
+        // References are counted first and then written to their places: a list of pairs would take the same memory
+        // again.
         let mut starts = vec![0; 2];
         for record in records() {
             let own = scene.ids.get(record.id)? as usize;
@@ -30,7 +31,8 @@ impl Names {
         }
         let mut names = vec![0; starts[starts.len() - 1] as usize];
         for record in records() {
-            // Where its names begin, one further than they do in the end.
+            // While names are written, the entry behind an ID's own is its next free place. In the end the next ID
+            // starts there.
             let at = &mut starts[scene.ids.get(record.id)? as usize + 1];
             for name in references(document, record) {
                 names[*at as usize] = scene.ids.get(name)?;
@@ -48,7 +50,7 @@ impl Names {
     }
 }
 
-/// The IDs that a record refers to, without those that are 0.
+/// The IDs to which a record refers. A reference that is 0 names none.
 pub fn references<'d>(
     document: &'d Document,
     record: &'d Record,

@@ -1,4 +1,4 @@
-//! Proposals of a record type where there is no type of that number.
+//! Proposals of a record type for a record whose type number does not exist.
 
 use super::entity::State;
 use super::references::finding_at;
@@ -74,7 +74,7 @@ impl Resolver<'_> {
         let n = params.len() as u64;
         let base = ty.arity(count);
         let length = n == base || n == base + ty.optional.len() as u64;
-        // A count that a list agrees with is sound; every other parameter is looked at.
+        // The items of a list are not checked if their number agrees with the count. All other parameters are.
         applies
             && length
             && !(ty.is_counted() && count < 2)

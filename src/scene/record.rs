@@ -7,12 +7,12 @@ use crate::syntax::lexer::Token;
 use crate::syntax::table::{Constraint, Param, RecordKind, RecordType, ShapeKind};
 use crate::syntax::{Document, Record, words};
 
-/// Angles of view that cameras have.
+/// Common angles of view of cameras, in degrees.
 const USUAL_ANGLES: [f64; 13] = [
     10.0, 15.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0, 75.0, 90.0,
 ];
 
-/// A record with its values at hand. They are borrowed from the document's column.
+/// A record with the values of its parameters, which are borrowed from the document.
 pub struct Params<'a> {
     pub text: &'a str,
     document: &'a Document,
@@ -23,7 +23,7 @@ pub struct Params<'a> {
     pub count: usize,
 }
 
-/// Integers below 2⁵³ are doubles.
+/// 2⁵³: every integer below it is exact in a double.
 const INTEGERS: f64 = 9_007_199_254_740_992.0;
 
 impl<'a> Params<'a> {
@@ -44,18 +44,19 @@ impl<'a> Params<'a> {
         self.document.id_token(&self.record).span()
     }
 
-    /// The text of the type.
+    /// The place of the type's number in the text.
     pub fn type_span(&self) -> Span {
         let mut tokens = (self.document).significant(self.record.first, self.record.last);
         tokens.nth(1).map_or(self.span(), |t| t.span())
     }
 
-    /// The text from the ID to the last parameter.
+    /// The place in the text from the ID to the last parameter.
     pub fn span(&self) -> Span {
         self.document.span(self.record.first, self.record.last)
     }
 
-    /// The comments on the line before the record, in it and behind it, without those for zpg and what is commented out.
+    /// The comments on the line before the record, inside it and behind it, without directives to zpg and without
+    /// records that are commented out.
     pub fn comments(&self) -> impl Iterator<Item = &'a str> {
         let before = self.document.comments_before(&self.record);
         before
@@ -63,7 +64,7 @@ impl<'a> Params<'a> {
             .chain(self.own_comments())
     }
 
-    /// The same without those on the line before.
+    /// The comments inside the record and behind it, chosen as in [`comments`](Self::comments).
     pub fn own_comments(&self) -> impl Iterator<Item = &'a str> {
         let own = self.document.comments_at(&self.record);
         own.filter_map(|t| self.said(t))
@@ -74,7 +75,7 @@ impl<'a> Params<'a> {
         (!is_directive(comment, self.text) && !is_commented_out(text)).then_some(text)
     }
 
-    /// Whether a comment about the record has a word that begins so, accents left out.
+    /// Whether a comment about the record has a word with one of these beginnings. Accents are ignored.
     pub fn is_called(&self, beginnings: &[&str]) -> bool {
         self.comments().any(|text| words::has(text, beginnings))
     }
@@ -107,7 +108,7 @@ impl<'a> Params<'a> {
     }
 
     fn token(&self, i: usize) -> Option<&'a Token> {
-        // Where nothing stands between the tokens, each is in its place.
+        // In a record without comments or line breaks inside, the place of each token is known.
         let dense = self.record.last - self.record.first == self.record.params + 1;
         match dense {
             true if i < self.len() => {
@@ -122,7 +123,7 @@ impl<'a> Params<'a> {
         self.token(i).map_or("", |t| t.text(self.text))
     }
 
-    /// The span of parameters `first..first + n`; that of the record where there are none.
+    /// The span of parameters `first..first + n`, or of the whole record if there are no such parameters.
     pub fn span_of(&self, first: usize, n: usize) -> Span {
         match (
             self.token(first),
@@ -137,7 +138,8 @@ impl<'a> Params<'a> {
         self.ty.param(i, self.count)
     }
 
-    /// Checks each value against the table; `true` if all are right.
+    /// Checks each value against its constraint in the table, and reports violations. Returns `true` if all constraints
+    /// hold.
     pub fn check_constraints(&self, out: &mut Vec<Diagnostic>) -> bool {
         let before = out.len();
         let constrained = |group: &[Param]| group.iter().any(|p| p.constraint != Constraint::Any);
@@ -154,7 +156,7 @@ impl<'a> Params<'a> {
         out.len() == before
     }
 
-    /// Two parameters exchanged; a guess.
+    /// The fix that swaps two parameters, marked as a guess.
     fn swapped(&self, i: usize, j: usize) -> Fix {
         let edit = |at: usize, from: usize| Edit {
             span: self.span_of(at, 1),
@@ -163,8 +165,8 @@ impl<'a> Params<'a> {
         Fix::guess("fix", vec![edit(i, j), edit(j, i)])
     }
 
-    /// An angle of view that has a minus, or has lost its decimal point: `350` for `35.0`. A half and a whole turn may
-    /// be meant.
+    /// The fix for a camera's angle of view that has a minus, or has lost its decimal point: `350` for `35.0`. 180 and
+    /// multiples of 360 degrees may be meant, so they get no fix.
     fn angle_of_view(&self, i: usize) -> Option<Fix> {
         let x = self.number(i);
         let is_one = self.ty.kind == RecordKind::Camera && i + 1 == self.len();
@@ -184,8 +186,8 @@ impl<'a> Params<'a> {
         Some(fix.with("number", crate::syntax::quote(&number)))
     }
 
-    /// The radius of a sphere before its centre, where a number that is no radius stands in its place: a guess where that
-    /// is zero or a wider gap sets the first number apart, else a choice.
+    /// The fix for a sphere whose radius is written before its centre. `i` is the last parameter, which is no valid
+    /// radius. The fix is a guess if parameter `i` is zero or a wider gap sets the first number apart, else a choice.
     fn radius_first(&self, i: usize) -> Option<Fix> {
         let is_one = self.ty.kind == RecordKind::Shape(ShapeKind::Sphere)
             && i + 1 == self.len()
@@ -202,7 +204,7 @@ impl<'a> Params<'a> {
         is_one.then(|| fix.with("number", crate::syntax::quote(&order.join(" "))))
     }
 
-    /// Whether the gap behind a parameter is wider than that behind any other.
+    /// Whether the gap in the text behind a parameter is wider than the gap behind any other parameter.
     fn is_widest_gap(&self, at: usize) -> bool {
         let gap = |i: usize| self.span_of(i + 1, 1).start - self.span_of(i, 1).end;
         (0..self.len() - 1).all(|i| i == at || gap(i) < gap(at))
@@ -232,7 +234,7 @@ impl<'a> Params<'a> {
                     let (span, number) = (self.span_of(i, 1), number.to_owned());
                     let fix = Fix::replace("fix", Applicability::Choice, span, number.clone());
                     let d = d.fix(fix.with("number", crate::syntax::quote(&number)));
-                    // A cone's height may be negative: the two may stand in each other's place.
+                    // A cone's height may be negative, so height and radius may stand in each other's place.
                     let is_cone = self.ty.kind == RecordKind::Shape(ShapeKind::Cone);
                     match is_cone && i > 0 && self.number(i - 1) > 0.0 {
                         true => d.fix(Fix {
@@ -247,7 +249,7 @@ impl<'a> Params<'a> {
             };
             let mut d = self.angle_of_view(i).into_iter().fold(d, Diagnostic::fix);
             if let Some(fix) = self.radius_first(i) {
-                // A gap before the last number says that this is the radius.
+                // A wide gap before the last number says that the last number is the radius.
                 let is_last = i > 0 && self.is_widest_gap(i - 1);
                 d.fixes.insert(if is_last { d.fixes.len() } else { 0 }, fix);
             }

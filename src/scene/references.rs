@@ -1,4 +1,4 @@
-//! References from record to record: following them, and what to say where they lead nowhere.
+//! Follows references from record to record, and reports those that lead nowhere.
 
 use std::collections::VecDeque;
 
@@ -12,8 +12,8 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Label, Span, Valu
 use crate::syntax::table::{Effect, Family, Kind, ParamKind, RecordType};
 use crate::syntax::{self, Document, Item};
 
-/// How many defined IDs are compared, in all, to find the ones that may have been meant: proposals
-/// for the first errors of a large file, none for a million of them.
+/// The number of defined IDs that are compared with undefined ones, in all, to propose an ID. In a large file only the
+/// first errors get a proposal.
 const COMPARISONS_MAX: usize = 2_000_000;
 
 /// A record that lost its ID.
@@ -21,11 +21,11 @@ pub(super) struct Lost {
     pub ty: Option<&'static RecordType>,
     /// The record's first token, where the parser's finding points.
     pub span: Span,
-    /// The IDs that the record may refer to: its own ID is none of these.
+    /// The IDs to which the record may refer. The lost ID is none of them.
     pub names: Vec<u32>,
 }
 
-/// An ID that is used and defined nowhere, or perhaps by a record that lost its ID.
+/// An ID that is used but that no readable record defines. A record that lost its ID may define it.
 struct Dangling {
     id: u32,
     kinds: &'static [Kind],
@@ -34,19 +34,21 @@ struct Dangling {
 
 #[derive(Default)]
 pub(super) struct References {
-    /// Number of IDs, from the first on, that have the number of the entity that they define.
+    /// The number of IDs, from number 0 on, that define the entity whose index is their own number. They need no table.
     numbered: usize,
-    /// For each number of an ID the index of the entity that it defines, from the first one on that differ.
+    /// The index of the entity that each ID defines, by the number of the ID; `u32::MAX` for none. The table is empty
+    /// as long as all indices equal the numbers.
     entity: Vec<u32>,
-    /// For each ID, where it is first defined, to tell "later" from "nowhere". Only few scenes ask.
+    /// The first definition of each ID, to tell "later" from "nowhere". It is computed when it is first needed, which
+    /// is in few scenes.
     definition: Option<FxHashMap<u32, (Span, Option<Kind>)>>,
     pub lost: Vec<Lost>,
     dangling: Vec<Dangling>,
-    /// How many defined IDs may still be compared.
+    /// The number of comparisons with defined IDs that are left.
     comparisons: usize,
 }
 
-/// The first definition of each ID, perhaps by a broken record, and its kind, if that is known.
+/// The place of the first definition of each ID, which may be a broken record, and its kind if that is known.
 fn definitions(document: &Document) -> FxHashMap<u32, (Span, Option<Kind>)> {
     let mut definition = FxHashMap::default();
     for item in &document.items {
@@ -69,7 +71,7 @@ fn definitions(document: &Document) -> FxHashMap<u32, (Span, Option<Kind>)> {
 }
 
 impl References {
-    /// `compares`: whether IDs are compared to find the ones that may have been meant.
+    /// `compares`: whether undefined IDs are compared with defined ones to propose those that were meant.
     pub(super) fn new(compares: bool) -> References {
         References {
             comparisons: if compares { COMPARISONS_MAX } else { 0 },
@@ -102,10 +104,10 @@ impl References {
         (index != u32::MAX).then_some(index as usize)
     }
 
-    /// Settles the account at the end: each record that lost its ID accounts for one undefined ID; the other undefined
-    /// IDs are E101.
+    /// Matches undefined IDs with records that lost their ID, at the end of the file. Each such record explains one
+    /// undefined ID, which is added to the record's finding. The findings about all other undefined IDs are reported.
     pub(super) fn settle(resolver: &mut Resolver, diagnostics: &mut [Diagnostic]) {
-        // In file order, by what they define; `None` where that is unknown.
+        // The records that lost their ID, by the kind that they define (`None` if it is unknown), in file order.
         let mut lost: Vec<(Option<Kind>, VecDeque<Lost>)> = Vec::new();
         for l in std::mem::take(&mut resolver.references.lost) {
             let kind = match l.ty.map(|t| t.effect) {
@@ -119,7 +121,7 @@ impl References {
             }
         }
         let mut found: FxHashMap<u32, bool> = FxHashMap::default();
-        // What may be of one kind only chooses first.
+        // An ID that may be of fewer kinds has fewer records to choose from, so it chooses earlier.
         let mut dangling = std::mem::take(&mut resolver.references.dangling);
         dangling.sort_by_key(|d| d.kinds.len());
         for d in dangling {
@@ -142,7 +144,7 @@ impl References {
                     f.values.push(("lost", d.id.to_string().into()));
                     if f.code == Code::E005 && f.fixes.is_empty() {
                         let start = record.span.start;
-                        // Either nothing stands in the place of the ID, or something else does.
+                        // The ID may be missing, or another token may stand in its place.
                         let (title, span, text) = match f.case {
                             "lost" => ("put-lost-id-in-front", Span::new(start, start), " "),
                             _ => ("write-lost-id", record.span, ""),
@@ -165,8 +167,9 @@ impl References {
 }
 
 impl Resolver<'_> {
-    /// Follows the reference at parameter `i`. `None`: it leads nowhere, and that was said (or need
-    /// not be). `Some(None)`: it is 0, "none". With `late`, the end of the file counts.
+    /// Follows the reference at parameter `i` and returns its ID. `None`: the reference leads nowhere, which was
+    /// reported if necessary. `Some(None)`: the reference is 0, "none". With `late`, IDs have their values at the end
+    /// of the file.
     pub(super) fn reference(&mut self, p: &Params, i: usize, late: bool) -> Option<Option<u32>> {
         let ParamKind::Reference { kinds, or_none } = p.param(i)?.kind else {
             return None;
@@ -201,7 +204,7 @@ impl Resolver<'_> {
             }
             None if id == 1 => wrong_kind(span, Kind::Render, what, kinds),
             None => match self.later(id).filter(|_| !late) {
-                // To move it up would not help.
+                // Moving the definition up would not help: its kind is wrong.
                 Some((at, Some(kind))) if kind != Kind::Undefined && !kinds.contains(&kind) => {
                     wrong_kind(span, kind, what, kinds).label(at, "defined-here")
                 }
@@ -218,7 +221,7 @@ impl Resolver<'_> {
         };
         let is_lamp = matches!(kind, Some(Kind::PointLight | Kind::AmbientLight));
         let finding = match is_lamp && p.ty.family == Family::Operation {
-            // Lamps shine by themselves: no other object is meant.
+            // A lamp shines without any operation, so no other ID is proposed.
             true => finding.note("no-part"),
             false => self.with_proposal(finding, id, span, kinds, &used(p)),
         };
@@ -229,8 +232,8 @@ impl Resolver<'_> {
         None
     }
 
-    /// Says that something is of the wrong kind. A property by that ID may only be one because the
-    /// object's own record lost its ID; that is settled at the end.
+    /// Reports a value of the wrong kind. A property may stand there only because the record of the object lost its ID;
+    /// so if a record has lost its ID, the finding waits for the end of the file.
     fn say_unless_lost(
         &mut self,
         state: State,
@@ -251,7 +254,7 @@ impl Resolver<'_> {
         }
     }
 
-    /// A finding with the place where an ID is defined, or declared.
+    /// Adds a label to the finding: the place where the ID is defined or declared.
     fn showing(&self, finding: Diagnostic, id: u32) -> Diagnostic {
         let phrase = match finding.code {
             Code::E108 => "declared-here",
@@ -263,7 +266,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// Reports E107 or E101. `used` are the IDs that the record has; none if it is to change this one.
+    /// Reports an ID that is defined only later (E107) or nowhere (E101). `used` are the IDs in the record; it is empty
+    /// if the record changes `id`.
     fn undefined(&mut self, id: u32, span: Span, kinds: &'static [Kind], late: bool, used: &[u32]) {
         let changes = used.is_empty();
         if let (false, Some((at, _))) = (late, self.later(id)) {
@@ -281,7 +285,7 @@ impl Resolver<'_> {
             .push(Dangling { id, kinds, finding });
     }
 
-    /// The first definition of an ID in the file, and its kind, if that is known.
+    /// The place of the first definition of an ID in the whole file, and its kind if that is known.
     fn later(&mut self, id: u32) -> Option<(Span, Option<Kind>)> {
         let document = self.document;
         let all = self
@@ -291,7 +295,8 @@ impl Resolver<'_> {
         all.get(&id).copied()
     }
 
-    /// Says something of an ID. Where records have lost theirs, one of those may be it.
+    /// Reports a finding about an ID. If a record has lost its ID, that record may define this ID, so the finding waits
+    /// for the end of the file.
     fn say_unless_any_lost(&mut self, finding: Diagnostic, id: u32, kinds: &'static [Kind]) {
         match self.references.lost.is_empty() {
             true => self.out.push(finding),
@@ -302,7 +307,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// Says of a record that stands above the definition of its ID that it cannot change such a thing at all.
+    /// Reports a record that changes an ID above its definition, if records of this type cannot change that kind of
+    /// value at all. Returns whether that is so.
     fn changes_another_kind(&mut self, p: &Params, kinds: &'static [Kind]) -> bool {
         let Some((at, Some(kind))) = self.later(p.id) else {
             return false;
@@ -322,7 +328,7 @@ impl Resolver<'_> {
         true
     }
 
-    /// The state of the entity that a record changes, if it may.
+    /// The state of the entity that a record changes. `None` if the record cannot change the entity, which is reported.
     pub(super) fn changed(&mut self, p: &Params, kinds: &'static [Kind]) -> Option<State> {
         let Some(state) = self.state(p.id) else {
             if !self.changes_another_kind(p, kinds) {
@@ -361,8 +367,8 @@ impl Resolver<'_> {
         }
     }
 
-    /// Adds the defined ID of the right kind that is nearest in spelling, if one is near and the record
-    /// does not have it already (`used`).
+    /// Adds a fix that writes the defined ID of the right kind whose spelling is nearest, if it is near enough. The IDs
+    /// in `used`, which the record already has, are not proposed.
     fn with_proposal(
         &mut self,
         finding: Diagnostic,
@@ -377,8 +383,8 @@ impl Resolver<'_> {
             let is_kind = e.kind.is_some_and(|kind| kinds.contains(&kind));
             is_kind && e.id != id && !used.contains(&e.id)
         };
-        // An ID of one digit is near every other of one digit: of several, the nearest number. The IDs one edit away are
-        // looked up, which takes less time than to compare with all.
+        // IDs of one digit are all equally near in spelling, so the nearest number is taken. The IDs one edit away are
+        // looked up, which takes less time than a comparison with all IDs.
         let one_edit = one_edit_away(&written).filter_map(|near| self.entity(near));
         let one_edit = one_edit.filter(fits);
         let nearest = match one_edit.map(|e| (1, e.id.abs_diff(id), e.id)).min() {
@@ -414,7 +420,7 @@ impl Resolver<'_> {
     }
 }
 
-/// The numbers that one edit makes of a written number: a digit put in, taken out or replaced, or two neighbours
+/// The numbers that are one edit away from a written number: a digit inserted, removed or replaced, or two neighbours
 /// swapped. Some occur twice.
 fn one_edit_away(written: &str) -> impl Iterator<Item = u32> {
     let text = written.as_bytes();
@@ -433,7 +439,7 @@ fn one_edit_away(written: &str) -> impl Iterator<Item = u32> {
     numbers.filter_map(|n| std::str::from_utf8(&n).ok()?.parse().ok())
 }
 
-/// The parser's finding at a place; `diagnostics` are sorted.
+/// The finding with exactly this span; `diagnostics` are sorted by place.
 pub(super) fn finding_at(diagnostics: &mut [Diagnostic], span: Span) -> Option<&mut Diagnostic> {
     let at = diagnostics.partition_point(|d| d.span.start < span.start);
     diagnostics[at..]
@@ -466,7 +472,7 @@ fn wrong_kind(span: Span, kind: Kind, what: &'static str, kinds: &[Kind]) -> Dia
         .with("kinds", one_of(kinds))
 }
 
-/// "an object, a point light or a camera".
+/// The kinds as a message lists them: "an object, a point light or a camera".
 fn one_of(kinds: &[Kind]) -> Value {
     Value::OneOf(kinds.iter().map(|k| k.name()).collect())
 }

@@ -16,8 +16,8 @@ use crate::syntax::ids::IdTable;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
 use crate::syntax::{self, Document, Item, Record};
 
-/// Reads a tree as a program of assignments. `diagnostics` holds the parser's findings; the
-/// resolver's are added, and those of broken records are completed with what only it can know.
+/// Reads a tree as a program of assignments. `diagnostics` holds the parser's findings. The resolver adds its own, and
+/// completes the findings about broken records: it knows which IDs and types may be meant.
 ///
 /// The scene holds whatever could be read; it is whole only if there are no errors.
 pub fn resolve(
@@ -37,7 +37,7 @@ pub fn resolve_with(
     compares: bool,
 ) -> Scene {
     let text = source.text.as_str();
-    // Room that is not used takes no memory; moving what has grown takes time.
+    // Capacity that is never used takes no memory, whereas moving a list that grows takes time.
     let records = document.items.len();
     let of = |families: &[Family]| (document.contents).count(|ty| families.contains(&ty.family));
     let mut resolver = Resolver {
@@ -58,7 +58,6 @@ pub fn resolve_with(
         values: Values::default(),
         taken: Vec::with_capacity(records),
         references: References::new(compares),
-        render: None,
         has_render: false,
         selection: None,
         late: Vec::new(),
@@ -87,11 +86,9 @@ pub(super) struct Resolver<'a> {
     /// The value of each ID, by its number in [`Scene::ids`].
     states: Vec<State>,
     pub(super) values: Values,
-    /// Whether something needs each node as it is.
+    /// For each node, whether an operation, a complement, a copy or a bounding volume uses it.
     pub(super) taken: Vec<bool>,
     pub(super) references: References,
-    /// The render record, once its references can be followed.
-    render: Option<Record>,
     has_render: bool,
     /// The last camera selection.
     selection: Option<Record>,
@@ -117,7 +114,7 @@ impl<'a> Resolver<'a> {
                     Kind::Render | Kind::Selection => self.view_record(record, &p),
                     _ => self.definition(&p),
                 };
-                // What could not be read still counts as defined.
+                // A record that could not be read still defines its ID.
                 self.define(&p, state.unwrap_or(State::Broken(Some(kind))));
             }
             Effect::Changes(kinds) => self.change(&p, kinds),
@@ -129,7 +126,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Keeps which record made the node that is new, if one is.
+    /// Stores the record as the origin of the node that it has just made, if it made one.
     fn sign(&mut self, record: &Record) {
         if self.scene.origins.len() < self.scene.nodes.len() {
             self.scene.origins.push(Origin {
@@ -152,7 +149,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Adds an entity, and changes what its ID stands for from now on.
+    /// Adds an entity, and sets the state of its ID from now on.
     fn push(&mut self, entity: Entity, state: State) {
         self.set_state(entity.id, state);
         self.references
@@ -160,7 +157,7 @@ impl<'a> Resolver<'a> {
         self.scene.entities.push(entity);
     }
 
-    /// The entity that an ID defines, the last one if there are several.
+    /// The entity of an ID; the last one if several records define the ID.
     pub(super) fn entity(&self, id: u32) -> Option<&Entity> {
         let index = self.references.entity(self.scene.ids.get(id)?)?;
         self.scene.entities.get(index)
@@ -176,7 +173,8 @@ impl<'a> Resolver<'a> {
         self.push(entity, state);
     }
 
-    /// E105: ID 1 is for the render record and the render record for ID 1.
+    /// Reports E105 if a record other than the render record has ID 1, or the render record has another ID. Returns
+    /// whether the ID is right.
     fn reserved_id(&mut self, record: &Record, p: &Params) -> bool {
         let is_render = p.ty.kind == RecordKind::Render;
         if (p.id == 1) == is_render {
@@ -187,12 +185,12 @@ impl<'a> Resolver<'a> {
             let d = Diagnostic::new(Code::E105, p.id_span());
             let is_render = |ty: &RecordType| ty.kind == RecordKind::Render;
             match self.document.contents.count(is_render) {
-                // What is drawn is known at the end of the file.
+                // The fix depends on what is drawn, which is known only at the end of the file.
                 0 | 1 => {
                     self.late.push(*record);
                     return false;
                 }
-                // With the ID of the other one it would be defined again.
+                // No fix: there is another render record, and with ID 1 this one would define the ID again.
                 _ => d.case("again"),
             }
         } else {
@@ -204,12 +202,12 @@ impl<'a> Resolver<'a> {
         false
     }
 
-    /// Reports E102 for a second definition of an ID, and says whether it is one.
+    /// Reports E102 if the record defines an ID that is already defined. Returns whether it does.
     fn duplicate(&mut self, p: &Params) -> bool {
         let Some(state) = self.state(p.id) else {
             return false;
         };
-        // A placeholder may be defined, and so may what a broken record may have meant.
+        // An ID that is a placeholder may be defined, and so may one whose record is broken.
         if matches!(state, State::Undefined | State::Broken(_))
             && p.ty.kind != RecordKind::Undefined
         {
@@ -233,7 +231,7 @@ impl<'a> Resolver<'a> {
             .with("id", p.id.to_string())
             .with("type", Value::Term(p.ty.title));
         if too_early {
-            // What follows may change the one or the other.
+            // The records that follow may be meant for the property or for the new object.
             self.set_state(p.id, State::Broken(None));
         }
         if let Some(e) = self.entity(p.id) {
@@ -243,12 +241,11 @@ impl<'a> Resolver<'a> {
         true
     }
 
-    /// The render record and the camera selections wait for the end of the file.
+    /// Keeps a render record or camera selection for the end of the file, and returns its state.
     fn view_record(&mut self, record: &Record, p: &Params) -> Option<State> {
         self.late.push(*record);
         if p.ty.kind == RecordKind::Render {
             self.has_render = true;
-            self.render = Some(*record);
             Some(State::Render)
         } else {
             self.selection = Some(*record);
@@ -261,7 +258,7 @@ impl<'a> Resolver<'a> {
         if broken.fault == Fault::UnknownType {
             self.propose_type(broken, diagnostics);
         }
-        // A line of words has lost nothing.
+        // A line without numbers is no record, so it has lost no ID.
         let mut tokens = self.document.significant(broken.first, broken.last);
         if broken.fault == Fault::LostId && tokens.any(|t| t.kind().is_number()) {
             let operation = broken.ty().is_some_and(|t| t.family == Family::Operation);
@@ -283,7 +280,7 @@ impl<'a> Resolver<'a> {
         });
         let span = self.document.tokens[broken.first as usize].span();
         let entity = Entity::new(id, kind, span);
-        // Where the type may be another one's, nothing is said of what refers to it.
+        // With a wrong number of parameters the type may be wrong too, so references are not judged by its kind.
         let certain = broken.fault != Fault::Arity;
         self.push(entity, State::Broken(kind.filter(|_| certain)));
     }
@@ -313,7 +310,8 @@ impl<'a> Resolver<'a> {
         }
         References::settle(&mut self, diagnostics);
         for i in 0..self.scene.entities.len() {
-            // A placeholder and what has become of it have one state; it is the first one's.
+            // A placeholder and the later definition of its ID are two entities with one state, which the first one
+            // gets.
             let Some(number) = self.scene.ids.get(self.scene.entities[i].id) else {
                 continue;
             };
@@ -329,7 +327,7 @@ impl<'a> Resolver<'a> {
         self.scene
     }
 
-    /// The object that nothing else is made of, if there is one alone.
+    /// The only object that is no part of another one. `None` if there are several, or none.
     fn only_root(&self) -> Option<u32> {
         let ids = self.scene.entities.iter().map(|e| e.id);
         let is_root = |id: &u32| match self.state(*id) {
@@ -340,8 +338,9 @@ impl<'a> Resolver<'a> {
         roots.next().filter(|root| roots.all(|id| id == *root))
     }
 
-    /// E105 for the only render record, with the ID 1 as its fix: in the place of what is drawn, if that has it. Whether
-    /// what it refers to is to be looked at.
+    /// Reports E105 for the only render record, whose ID is not 1. The fix writes ID 1; if ID 1 is what the record
+    /// draws and its own ID is an object, the fix swaps the two. Returns whether the references of the record are to be
+    /// checked.
     fn other_render_id(&mut self, p: &Params) -> bool {
         let id = p.id.to_string();
         let d = Diagnostic::new(Code::E105, p.id_span());
@@ -366,7 +365,7 @@ impl<'a> Resolver<'a> {
         false
     }
 
-    /// Checks and keeps a record whose references name the end of the file.
+    /// Checks and stores a render record or camera selection, whose references mean the values at the end of the file.
     fn late_record(&mut self, record: &Record) {
         let p = Params::new(self.document, self.text, record);
         if p.ty.kind == RecordKind::Render && p.id != 1 && !self.other_render_id(&p) {
@@ -440,7 +439,7 @@ impl<'a> Resolver<'a> {
     }
 
     pub(super) fn node(&mut self, node: Node) -> NodeId {
-        // What changes an object goes on from it; everything else needs it as it is.
+        // A move or a paint goes on from its child. Every other node uses its children as they are.
         if !node.is_change() {
             for child in node.children() {
                 self.taken[child as usize] = true;

@@ -1,23 +1,24 @@
 //! The rays of a projection matrix: one for every point of the picture.
 //!
-//! A point X = (x, y, z, 1) of the camera's space has the clip coordinates P·X; it is seen at
-//! (P₀·X / P₃·X, P₁·X / P₃·X), where Pᵢ are the rows, and its depth is P₂·X / P₃·X. All that is seen
-//! at (x, y) is where the planes P₀ − x·P₃ and P₁ − y·P₃ meet. The direction of that line is the cross
-//! product of their normals, which is linear in x and y and does not ask where the near and the far
-//! plane are; so a far plane at infinity, or beyond, is nothing special.
+//! A point X = (x, y, z, 1) of the camera's space has the clip coordinates P·X. Its place in the picture is (P₀·X /
+//! P₃·X, P₁·X / P₃·X), where Pᵢ are the rows of P, and its depth is P₂·X / P₃·X. The points that are seen at (x, y) lie
+//! on the line where the planes P₀ − x·P₃ and P₁ − y·P₃ meet. The direction of this line is the cross product of the
+//! planes' normals. It is linear in x and y and does not depend on the near and the far plane, so a far plane at
+//! infinity, or beyond, is no special case.
 //!
-//! Rays start on the plane of depth −1, or of depth 1 where that one is nearer to the eye (reversed
-//! depth). The eye is where P₀, P₁ and P₃ vanish. A ray starts in front of the eye: where the fourth
-//! clip coordinate is positive. A matrix stands for the same lines as its negative, and where only
-//! the negative has all of its starts in front, that one is meant.
+//! Rays start on the plane of depth −1, or on the plane of depth 1 where that one is nearer to the eye (reversed
+//! depth). The eye is where P₀, P₁ and P₃ vanish. A ray starts in front of the eye: where the fourth clip coordinate is
+//! positive. A matrix and its negative stand for the same lines. If all rays start in front of the eye only with the
+//! negative, the negative is meant.
 //!
-//! Everything that decides is computed exactly, in big numbers.
+//! All decisions are computed exactly, in big numbers.
 
 use super::model::Vec3;
 use crate::geometry::Matrix;
 use crate::geometry::sign::{Exact, Scalar};
 
-/// Coefficients of 1, x and y, for picture coordinates from −1 to 1, x to the right and y up.
+/// A vector that is linear in the picture coordinates: its coefficients of 1, x and y. The coordinates go from −1 to 1,
+/// x to the right and y up.
 type Linear<const N: usize> = [[f64; N]; 3];
 
 /// The rays of a projection matrix in the camera's space: x to the right, y up, z against the view
@@ -37,11 +38,13 @@ pub struct Sight {
 pub enum Blind {
     /// The matrix has no inverse.
     Singular,
-    /// A lens with no ray for some part of the picture, where nothing in front of the eye is seen.
+    /// A part of the picture has no ray: nothing in front of the eye is seen there.
     InPart,
 }
 
 impl Sight {
+    /// Computes the rays of a projection matrix.
+    ///
     /// # Errors
     ///
     /// A matrix that is singular, or that has no ray for some point of the picture.
@@ -58,14 +61,14 @@ impl Sight {
             .ok_or(Blind::InPart)
     }
 
-    /// `None` where a ray would start elsewhere than in front of the eye. `turned`: the determinant is
-    /// negative.
+    /// The rays of the matrix with these rows. `None` if a ray does not start in front of the eye. `turned`: the
+    /// determinant is negative.
     fn in_front(rows: &[[Exact; 4]; 4], turned: bool) -> Option<Sight> {
         let [x, y, z, w] = rows;
         let oriented = |v: [Exact; 4]| if turned { v.map(|c| -c) } else { v };
         let eye = oriented(generalized_cross(x, y, w));
-        // Of the planes of depth −1 and 1, the fourth coordinate is greater on the nearer one: by twice
-        // that of the eye.
+        // The fourth coordinate is greater on the nearer of the planes of depth −1 and 1, by twice the fourth
+        // coordinate of the eye.
         let reversed = eye[3] < Exact::ZERO;
         let plane: [Exact; 4] = std::array::from_fn(|i| match reversed {
             true => &z[i] - &w[i],
@@ -100,7 +103,8 @@ impl Sight {
         })
     }
 
-    /// The start of the ray at (x, y), and its direction of any length; `None` where that is out of range.
+    /// The start of the ray at (x, y), and its direction of any length. `None` if a number is out of range or the
+    /// direction is zero.
     pub fn ray(&self, x: f64, y: f64) -> Option<(Vec3, Vec3)> {
         let [sx, sy, sz, sw] = at(&self.start, x, y);
         let (start, direction) = ([sx / sw, sy / sw, sz / sw], at(&self.direction, x, y));
@@ -108,21 +112,21 @@ impl Sight {
         (finite && direction.iter().any(|c| *c != 0.0)).then_some((start, direction))
     }
 
-    /// The direction of the ray in the middle of the picture, of any length, and by how much it
-    /// changes from there to the right edge and to the upper one.
+    /// The direction of the ray in the middle of the picture, of any length, and the changes of the direction from the
+    /// middle to the right edge and from the middle to the upper edge.
     pub fn direction(&self) -> [Vec3; 3] {
         self.direction
     }
 
-    /// The place where all lines of sight meet; `None` where that is out of range, as of parallel ones.
+    /// The place where all lines of sight meet. `None` if it is out of range, as for parallel lines.
     pub fn eye(&self) -> Option<Vec3> {
         let [x, y, z, w] = self.eye;
         let eye = [x / w, y / w, z / w];
         eye.iter().all(|c| c.is_finite()).then_some(eye)
     }
 
-    /// Whether the rays are parallel and evenly spaced, but for a part of 10⁻¹² of where they start:
-    /// what the numbers of a computed matrix are rounded by.
+    /// Whether the rays are parallel and evenly spaced, up to a relative error of 10⁻¹²: the numbers of a computed
+    /// matrix are rounded.
     pub fn is_parallel(&self) -> bool {
         const ROUNDED: f64 = 1e-12;
         let size = |v: [f64; 4]| v[..3].iter().fold(0.0f64, |m, c| m.max(c.abs()));

@@ -1,4 +1,4 @@
-//! Boxes and rectangles by a corner or the centre and a size, as other programs have them.
+//! Boxes and rectangles whose numbers are meant as a corner or the centre, and a size, as in other programs.
 
 use std::ops::Range;
 
@@ -8,16 +8,16 @@ use crate::syntax::{quote, words};
 
 /// Beginnings of words for a centre, without accents.
 pub(crate) const CENTRE: [&str; 5] = ["centr", "center", "middle", "stred", "prostred"];
-/// The same for a size. A prism, `hranol`, is none.
+/// Beginnings of words for a size, without accents. None of them begins `hranol`, a prism.
 const SIZE: [&str; 8] = [
     "size", "edge", "hrana", "hrany", "hrane", "hranou", "velikost", "rozmer",
 ];
-/// The same for a corner.
+/// Beginnings of words for a corner, without accents.
 pub(crate) const CORNER: [&str; 3] = ["corner", "roh", "vrchol"];
-/// The same for half of a size.
+/// Beginnings of words for half of a size, without accents.
 const HALF: [&str; 3] = ["half", "pul", "polovi"];
 
-/// How the numbers of a record are meant by a comment.
+/// The meaning that a comment gives to the lower bounds of a record: a corner or the centre, with a size behind.
 #[derive(Clone, Copy, PartialEq)]
 enum Meant {
     Corner,
@@ -26,14 +26,15 @@ enum Meant {
     Half,
 }
 
-/// The choices that the upper bounds are a size: the lower ones are a corner, or the centre.
+/// The fixes for bounds of which the upper ones may be a size, and the lower ones a corner or the centre.
 pub(crate) struct Readings {
     pub fixes: Vec<Fix>,
-    /// Whether a comment speaks of a size or a centre: the first choice is what it says.
+    /// Whether a comment speaks of a size or a centre. The first fix is then the one that the comment describes.
     pub said: bool,
 }
 
-/// The readings of `n` lower bounds from `first` on, and as many upper ones. None if one of these can be no size.
+/// The readings of the `n` lower bounds from parameter `first` on and the `n` upper bounds behind them. There are none
+/// if an upper bound is not positive, since no size is.
 pub(crate) fn readings(p: &Params, first: usize, n: usize) -> Readings {
     let size = first + n..first + 2 * n;
     let meant = meant(p);
@@ -53,7 +54,7 @@ pub(crate) fn readings(p: &Params, first: usize, n: usize) -> Readings {
     Readings { fixes, said }
 }
 
-/// How the bounds are meant by a comment on the record.
+/// The meaning that a comment on the record gives to the bounds. `None` if none speaks of a centre or a size.
 fn meant(p: &Params) -> Option<Meant> {
     let [centre, size, corner, half] = [&CENTRE[..], &SIZE, &CORNER, &HALF].map(|b| p.is_called(b));
     match (centre, size) {
@@ -100,12 +101,12 @@ fn reading(p: &Params, first: usize, n: usize, kind: Meant) -> Fix {
     }
 }
 
-/// The sum of two numbers in as many digits as people write.
+/// The sum of two numbers as text, rounded to the nine decimals that people may write.
 fn sum(a: f64, b: f64) -> String {
-    /// Parts of 1.
+    /// Sums are rounded to multiples of its inverse.
     const ROUNDED: f64 = 1e9;
     let rounded = ((a + b) * ROUNDED).round() / ROUNDED;
-    // No -0.
+    // Adding zero turns -0 into 0.
     let text = if rounded.is_finite() {
         rounded + 0.0
     } else {
@@ -114,13 +115,13 @@ fn sum(a: f64, b: f64) -> String {
     text.to_string()
 }
 
-/// Comments of more words without any number are about something else.
+/// The number of words above which a comment without any number is about something else.
 const MAX_LABEL_WORDS: usize = 6;
 
-/// Beginnings of words for what has equal edges, without accents.
+/// Beginnings of words for a cube or a square, without accents.
 pub(super) const EQUAL: [&str; 5] = ["cube", "krychl", "kostk", "square", "ctver"];
 
-/// The choices for bounds that may be bounds, where a comment speaks of a size.
+/// The fixes for bounds that are in order but that a comment describes as a size.
 pub(crate) fn by_comment(p: &Params, n: usize) -> Vec<Fix> {
     match by_name(p, n) {
         Some(fix) => vec![fix],
@@ -128,8 +129,8 @@ pub(crate) fn by_comment(p: &Params, n: usize) -> Vec<Fix> {
     }
 }
 
-/// The choices where a comment gives the upper bounds as edges, as `2 x 2 x 2`, or says that all edges are equal, which the
-/// upper bounds are: the size of the bounds is another one.
+/// The fixes for bounds whose distances are not the edges that a comment gives. The upper bounds must be those edges:
+/// written as `2 x 2 x 2`, or all equal where the comment speaks of a cube.
 fn by_size(p: &Params, n: usize) -> Vec<Fix> {
     let near = |a: f64, b: f64| (a - b).abs() <= SIZE_REL_GAP * a.abs().max(b.abs());
     let edge = |i: usize| p.number(i + n) - p.number(i);
@@ -142,7 +143,7 @@ fn by_size(p: &Params, n: usize) -> Vec<Fix> {
         Some(said) => {
             (0..n).all(|i| near(said[i], upper(i))) && !(0..n).all(|i| near(said[i], edge(i)))
         }
-        // Edges of a cube that differ.
+        // The comment speaks of a cube, but the edges differ.
         None => is_cube && all_equal(&upper) && !all_equal(&edge) && !(0..n).any(is_symmetric),
     };
     let mut fixes = match is_meant {
@@ -158,10 +159,10 @@ fn by_size(p: &Params, n: usize) -> Vec<Fix> {
     fixes
 }
 
-/// The gap between two sizes that are the same but for rounding, as a share of the greater.
+/// The greatest gap between two sizes that are equal but for rounding, as a share of the greater.
 const SIZE_REL_GAP: f64 = 1e-9;
 
-/// The edges in a text as `2 x 2 x 2`.
+/// The `n` edges in a text, written as `2 x 2 x 2`. `None` if it has none.
 fn edges(text: &str, n: usize) -> Option<Vec<f64>> {
     let is_part = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
     let text = text.to_lowercase().replace(['×', '*', '·', 'х'], "x");
@@ -179,8 +180,8 @@ fn edges(text: &str, n: usize) -> Option<Vec<f64>> {
     all.flatten().find(|numbers| numbers.len() == n && n > 1)
 }
 
-/// The choice where a comment speaks of a size, and of a centre or a corner: the numbers in it are those of the record, and
-/// not the place and the size of the bounds.
+/// The fix where a comment speaks of a size, and of a centre or a corner. The numbers in the comment must be those of
+/// the record, and not the place and the size that the bounds have.
 fn by_name(p: &Params, n: usize) -> Option<Fix> {
     let kind = meant(p).filter(|_| p.is_called(&SIZE))?;
     if kind == Meant::Centre && !p.is_called(&CENTRE) {
@@ -196,7 +197,7 @@ fn by_name(p: &Params, n: usize) -> Option<Fix> {
         let is_label = p.comments().all(|text| words(text) <= MAX_LABEL_WORDS);
         return (is_label && !(0..n).any(is_symmetric)).then_some(fix);
     }
-    // Nobody writes the centre that is the origin.
+    // A comment seldom gives zeros, since a centre at the origin goes without saying.
     let is_said = |x: f64| x == 0.0 || said.contains(&x);
     let size = |i: usize| p.number(i + n) - p.number(i);
     let as_bounds = |i: usize| match kind {
@@ -217,14 +218,14 @@ fn numbers(text: &str) -> impl Iterator<Item = f64> {
     words.filter_map(|word| word.parse().ok())
 }
 
-/// Beginnings of words for a radius and a diameter, without accents.
+/// Beginnings of words for a radius, without accents; [`DIAMETER`] has those for a diameter.
 const RADIUS: [&str; 3] = ["radius", "radii", "polomer"];
 const DIAMETER: [&str; 3] = ["diameter", "prumer", "across"];
 /// The same for a height.
 const HEIGHT: [&str; 2] = ["height", "vysk"];
 
-/// The choice for a sphere whose comment gives the radius that stands first, or as its diameter what stands as its radius;
-/// with the case of the finding.
+/// The fix for a sphere whose comment contradicts its numbers, with the case of the finding. Either the radius in the
+/// comment is the first number, or the diameter in the comment is the number that stands as the radius.
 pub(crate) fn sphere_by_comment(p: &Params) -> Option<(&'static str, Fix)> {
     let last = p.len().checked_sub(1)?;
     let said = |any: &[&str]| p.comments().find_map(|text| number_of(text, any));

@@ -1,16 +1,16 @@
-//! Ways through a scene: down the states of one object, up from the shapes, and down from a root. None of them calls
-//! itself, however deep the scene is.
+//! Ways through a scene: down the states of one object, up from the shapes, and down from a root. None of them is
+//! recursive, so a scene may be deep.
 
 use super::model::{Node, NodeId, Scene};
 use crate::geometry::Matrix;
 
 impl Node {
-    /// Whether the node is a later state of the object that its child is: one that is moved or painted.
+    /// Whether the node is a later state of its child's object: the child moved or painted.
     pub fn is_change(self) -> bool {
         matches!(self, Node::Transform { .. } | Node::Paint { .. })
     }
 
-    /// The child of a node that is the same object, or a copy of it: moved, painted or named anew.
+    /// The child of a node that moves, paints or copies it. `None` for a shape, an operation or a complement.
     pub fn earlier(self) -> Option<NodeId> {
         match self {
             Node::Transform { child, .. }
@@ -20,7 +20,7 @@ impl Node {
         }
     }
 
-    /// The operands of an operation with two.
+    /// The two operands of a union, intersection or difference. `None` for other nodes.
     pub fn operands(self) -> Option<[NodeId; 2]> {
         match self {
             Node::Union(a, b) | Node::Intersection(a, b) | Node::Difference(a, b) => Some([a, b]),
@@ -28,7 +28,7 @@ impl Node {
         }
     }
 
-    /// The same node, made of other ones.
+    /// The node with each child replaced by what `of` returns for it.
     pub fn with_children(self, of: impl Fn(NodeId) -> NodeId) -> Node {
         match self {
             Node::Shape(_) => self,
@@ -52,8 +52,8 @@ impl Node {
     }
 }
 
-/// A value for each of the first nodes of a scene, from the number of the node, the node, and the values of all nodes
-/// before it: children stand before their parents.
+/// Computes a value for each node, in order. `value` gets the number of the node, the node, and the values of all nodes
+/// before it, among which are its children.
 pub fn fold_up<T>(nodes: &[Node], mut value: impl FnMut(NodeId, Node, &[T]) -> T) -> Vec<T> {
     let mut done = Vec::with_capacity(nodes.len());
     for (id, &node) in (0..).zip(nodes) {
@@ -63,13 +63,13 @@ pub fn fold_up<T>(nodes: &[Node], mut value: impl FnMut(NodeId, Node, &[T]) -> T
 }
 
 impl Scene {
-    /// The nodes that a root is made of stand among these, and the root is the last of them.
+    /// The nodes of the arena up to the root, which is the last one. All parts of the root are among them.
     pub fn up_to(&self, root: NodeId) -> &[Node] {
         &self.nodes[..=root as usize]
     }
 
-    /// A node with all earlier states of the same object and of those that it is a copy of. The last one is a shape, an
-    /// operation or a complement.
+    /// The node, all earlier states of its object, and those of the object that it is a copy of. The last one is a
+    /// shape, an operation or a complement.
     pub fn states(&self, node: NodeId) -> impl Iterator<Item = (NodeId, Node)> {
         let mut next = Some(node);
         std::iter::from_fn(move || {
@@ -80,14 +80,14 @@ impl Scene {
         })
     }
 
-    /// The node that the record defining an object made: the object without the changes since.
+    /// The node that the defining record of an object made: the object before later moves and paints.
     pub fn defined(&self, node: NodeId) -> NodeId {
         let mut states = self.states(node).filter(|(_, n)| !n.is_change());
         states.next().map_or(node, |(id, _)| id)
     }
 
-    /// The shape, operation or complement that a node is a state or a copy of, and the matrix from its coordinates to
-    /// those that `matrix` leads to from the node's.
+    /// The core of a node: the shape, operation or complement below all moves, paints and copies. `matrix` leads from
+    /// the node's coordinates to others; the returned matrix leads to the same ones from the core's coordinates.
     pub fn core(&self, node: NodeId, matrix: Matrix) -> (NodeId, Matrix) {
         self.states(node)
             .fold((node, matrix), |(_, m), (id, node)| match node {
@@ -96,7 +96,8 @@ impl Scene {
             })
     }
 
-    /// How often each node up to the root is a child of what the root is made of; the root itself counts once.
+    /// For each node up to the root, how often it is a child within the object of the root. The root itself counts
+    /// once.
     pub fn uses(&self, root: NodeId) -> Vec<u32> {
         let mut uses = vec![0u32; root as usize + 1];
         uses[root as usize] = 1;
@@ -111,7 +112,7 @@ impl Scene {
         uses
     }
 
-    /// The nodes that a root is made of, parents before their children.
+    /// The root and all its parts, parents before their children.
     pub fn below(&self, root: NodeId) -> impl Iterator<Item = (NodeId, Node)> {
         let uses = self.uses(root);
         let nodes = (0..=root).rev().zip(self.up_to(root).iter().rev());

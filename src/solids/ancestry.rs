@@ -3,12 +3,12 @@
 /// The mark for no place in a tree.
 pub const NONE: u32 = u32::MAX;
 
-/// The heavy path that a place is on: from each parent to its largest child.
+/// The heavy path on which a place is. Heavy paths go from each parent to its largest child.
 #[derive(Debug, Clone, Copy)]
 struct HeavyPath {
     /// The highest place of the path.
     head: u32,
-    /// The parent of that, or [`NONE`].
+    /// The parent of the head, or [`NONE`].
     above: u32,
 }
 
@@ -19,8 +19,8 @@ struct HeavyPath {
 pub struct Ancestry(Vec<HeavyPath>);
 
 impl Ancestry {
-    /// `parents` has the parent of each place, or [`NONE`]. Parents stand before their children, and
-    /// all that a child is made of before the next child.
+    /// Finds the heavy paths. `parents` has the parent of each place, or [`NONE`]. Parents stand before their children,
+    /// and all descendants of a child before the next child.
     pub fn new(parents: &[u32]) -> Ancestry {
         let mut weights = vec![1u32; parents.len()];
         let mut larger = vec![NONE; parents.len()];
@@ -45,11 +45,11 @@ impl Ancestry {
         Ancestry(paths)
     }
 
-    /// The lowest place that two places are part of; `None` where they are of different trees.
+    /// The lowest common ancestor of two places, which may be one of them. `None` if they are in different trees.
     pub fn join(&self, mut a: u32, mut b: u32) -> Option<u32> {
         let path = |i: u32| self.0[i as usize];
         while path(a).head != path(b).head {
-            // What the head that stands later is part of does not begin with it.
+            // The common ancestor is above the head that stands later.
             let later = match path(a).head > path(b).head {
                 true => &mut a,
                 false => &mut b,
@@ -59,7 +59,7 @@ impl Ancestry {
         Some(a.min(b))
     }
 
-    /// The topmost place that a place is part of.
+    /// The root of the tree that holds a place.
     pub fn root(&self, mut place: u32) -> u32 {
         loop {
             let HeavyPath { head, above } = self.0[place as usize];

@@ -9,8 +9,8 @@ use crate::scene::{Node, Scene};
 pub struct NodeBounds {
     /// The box that holds every point of the node's solids and surfaces.
     pub all: Aabb,
-    /// The box of the bounded parts, where it is not the finite part of `all`: there may be millions of nodes, and few
-    /// are bounded in part.
+    /// The box of the bounded parts, if it is not the finite part of `all`. It is on the heap: there may be millions of
+    /// nodes, and few have bounded parts beside unbounded ones.
     in_part: Option<Box<Aabb>>,
 }
 
@@ -20,7 +20,7 @@ impl NodeBounds {
         NodeBounds { all, in_part }
     }
 
-    /// Holds the parts of the node that are bounded; always finite, empty where there are none.
+    /// The box of the node's bounded parts. It is always finite, and empty if there are none.
     pub fn bounded(&self) -> Aabb {
         match &self.in_part {
             Some(bounded) => **bounded,
@@ -29,13 +29,13 @@ impl NodeBounds {
     }
 }
 
-/// The kind of a node, as far as its bounds can be told from a shape's own: bounding the moved shape itself keeps
-/// chains of rotations from blowing its box up.
+/// The kind of a node, for its bounds. A moved shape is bounded itself, since the box around a box would grow with each
+/// rotation of a chain.
 #[derive(Clone, Copy)]
 enum Placed {
     /// A shape as it was defined.
     Still(u32),
-    /// A shape in another place: index into the matrices found so far.
+    /// A shape in another place: its index, and the index of its matrix.
     Moved(u32, u32),
     /// Any other placed object.
     Other,
@@ -45,7 +45,7 @@ enum Placed {
 pub fn node_bounds(scene: &Scene) -> Vec<NodeBounds> {
     let mut out: Vec<NodeBounds> = Vec::with_capacity(scene.nodes.len());
     let mut placed: Vec<Placed> = Vec::with_capacity(scene.nodes.len());
-    // What is never moved needs none.
+    // Shapes that are never moved need no matrix.
     let mut matrices: Vec<Matrix> = Vec::new();
     let bounds = |shape: u32, m: &Matrix| {
         let all = scene.shapes[shape as usize].geometry.bounds(m);

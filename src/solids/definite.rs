@@ -22,7 +22,7 @@ pub enum QuadricSet {
 
 type ExactQuadric = [[IBig; 4]; 4];
 
-/// The symmetric part of a matrix, twice, with each number times one power of two.
+/// Twice the symmetric part of a matrix, in whole numbers: all entries are scaled by one power of two.
 fn form(q: &[f64; 16]) -> ExactQuadric {
     let q = whole(*q);
     std::array::from_fn(|i| std::array::from_fn(|j| &q[4 * i + j] + &q[4 * j + i]))
@@ -36,7 +36,7 @@ pub fn is_ellipsoid(q: &[f64; 16]) -> bool {
 /// The kind of the quadric with these 16 numbers, row by row.
 pub fn judge(q: &[f64; 16]) -> QuadricSet {
     let diagonal = [0, 5, 10, 15].map(|i| q[i]);
-    // Most have an inside and an outside: along one axis it goes up, along another one down.
+    // Most quadrics have an inside and an outside: the form goes up along one axis, and down along another one.
     if diagonal.iter().any(|&x| x > 0.0) && diagonal.iter().any(|&x| x < 0.0) {
         return QuadricSet::Other;
     }
@@ -53,7 +53,7 @@ pub fn judge(q: &[f64; 16]) -> QuadricSet {
     match (lowest(form), below) {
         (Some((1, _)), false) => QuadricSet::Empty,
         (Some((0, rank)), false) => QuadricSet::Flat(3 - rank),
-        // Where it is zero on a flat, that has the object on both sides.
+        // Where the form is zero on a flat, the object lies on both sides of the flat.
         (Some((0.., _)), true) => QuadricSet::Full,
         _ => QuadricSet::Other,
     }
@@ -64,8 +64,8 @@ pub fn judge(q: &[f64; 16]) -> QuadricSet {
 fn lowest(mut s: ExactQuadric) -> Option<(i32, u32)> {
     let mut left = vec![0usize, 1, 2];
     let mut rank = 0;
-    // Every number is a minor of the form: it has the product of the squares completed so far as a
-    // factor, all of which are positive (Bareiss 1968).
+    // Every number is a minor of the form (Bareiss 1968): a number of the rest of the form times the product of the
+    // coefficients of the completed squares, all of which are positive.
     let mut before = IBig::ONE;
     while let Some(at) = left.iter().position(|&i| sign(&s[i][i]) > 0) {
         // Completing the square in this variable.

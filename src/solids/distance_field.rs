@@ -1,16 +1,16 @@
-//! How far a point is from the boundary of a solid, roughly and rather too little: below zero inside,
-//! above zero outside.
+//! Rough distances of points from the boundary of a solid, rather too short than too long: below zero inside, above
+//! zero outside.
 
 use crate::geometry::Matrix;
 use crate::geometry::array::length;
 use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 use crate::solids::shapes::facts::{Facts, Taylor};
 
-/// Solids of more shapes, and profiles of more points, are not looked at.
+/// The most shapes of a solid, and the most points of a profile, for which there is a field.
 const SHAPES_MAX: usize = 32;
 const PROFILE_MAX: usize = 128;
 
-/// A solid in its place, as the steps of a calculation.
+/// A solid in its place, as the steps that compute its distance from a point: operands stand before their operation.
 pub struct Field<'a> {
     steps: Vec<FieldOperation<'a>>,
     /// The results of the steps, kept from one point to the next.
@@ -19,7 +19,7 @@ pub struct Field<'a> {
     pub cost: usize,
 }
 
-/// A distance from what is below zero, and the direction in which it grows, of length 1 or none.
+/// A distance, which is below zero inside, and the direction in which it grows: a unit vector, or zero.
 #[derive(Debug, Clone, Copy)]
 pub struct Slope {
     pub distance: f64,
@@ -32,7 +32,7 @@ impl Slope {
         up: [0.0; 3],
     };
 
-    /// The larger of two distances that are both to be below zero.
+    /// The slope of an intersection: the one with the larger distance.
     pub fn both(self, other: Slope) -> Slope {
         if self.distance > other.distance {
             self
@@ -52,7 +52,7 @@ impl Slope {
 
 enum FieldOperation<'a> {
     Shape(&'a Geometry, Box<Placement>),
-    /// Surfaces have no inside.
+    /// A surface, which has no inside.
     Nothing,
     Union,
     Intersection,
@@ -63,13 +63,13 @@ enum FieldOperation<'a> {
 /// Map from the coordinates of the root back to those of a shape.
 struct Placement {
     back: Matrix,
-    /// An upper bound of how much longer that makes what is shortest.
+    /// An upper bound on the factor by which the map lengthens a vector.
     stretch: f64,
 }
 
 impl<'a> Field<'a> {
-    /// The field of a node whose coordinates are taken to those of the root by a matrix; `None` where that
-    /// is too much or cannot be told.
+    /// The field of a node. `matrix` maps the node's coordinates to those of the root. `None` if the node has too many
+    /// shapes, or a matrix has no inverse.
     pub fn new(scene: &'a Scene, node: NodeId, matrix: &Matrix) -> Option<Field<'a>> {
         enum Task<'a> {
             Visit(NodeId, Matrix),
@@ -159,7 +159,8 @@ impl<'a> Field<'a> {
 }
 
 impl Placement {
-    /// The least t at which |f + g·t| + λt² could be zero, in the coordinates of the root.
+    /// The least distance t at which the shape's function can be zero, with the sign of the function, in the
+    /// coordinates of the root: |g|·t + λt² = |f|, with the bound λ of the second-order term.
     fn slope(&self, geometry: &Geometry, p: Vec3) -> Slope {
         let rows = &self.back.0;
         let Taylor { f, g, bend } = geometry.taylor(self.back.point(p));

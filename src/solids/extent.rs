@@ -1,4 +1,4 @@
-//! How far things reach: out of a volume, and from a point.
+//! The distances by which things reach out of a volume, and from a point.
 
 use super::distance;
 use super::leaf::Leaf;
@@ -22,7 +22,8 @@ pub fn beyond(volume: &Volume, p: Vec3) -> f64 {
     }
 }
 
-/// The size that a volume's numbers are written with: its extent, and how far it is away.
+/// The largest number with which a volume is written, in absolute value: it grows with the volume's extent and with its
+/// distance from the origin.
 pub fn size(volume: &Volume) -> f64 {
     let of = |points: [Vec3; 2]| points.iter().flatten().fold(0.0f64, |m, x| m.max(x.abs()));
     match volume {
@@ -45,11 +46,12 @@ pub fn farthest(b: &Aabb, p: Vec3) -> f64 {
         return 0.0;
     }
     let reach: Vec3 = std::array::from_fn(|i| (b.max[i] - p[i]).abs().max((p[i] - b.min[i]).abs()));
-    // Five roundings in a row, upwards.
+    // The result is rounded up by more than the five roundings in a row.
     reach[0].hypot(reach[1]).hypot(reach[2]) * (1.0 + 8.0 * f64::EPSILON)
 }
 
-/// A ball and its place, where a leaf is one: spheres that are moved, turned and scaled evenly.
+/// The centre and the radius of a shape that is a ball in its place: a sphere that is moved, turned and scaled evenly.
+/// `None` for other shapes.
 pub fn ball(scene: &Scene, shape: u32, m: &Matrix) -> Option<(Vec3, f64)> {
     let Geometry::Sphere { centre, radius } = scene.shapes[shape as usize].geometry else {
         return None;
@@ -57,7 +59,7 @@ pub fn ball(scene: &Scene, shape: u32, m: &Matrix) -> Option<(Vec3, f64)> {
     Some((m.point(centre), radius * even_scale(m)?))
 }
 
-/// A distance from a point that nothing of the leaves exceeds, and its rounding.
+/// An upper bound, up to rounding, on the distance of the leaves' points from a point.
 pub fn farthest_leaf(scene: &Scene, tree: &Tree, whole: &Aabb, p: Vec3) -> f64 {
     let of = |leaf: &Leaf| {
         let geometry = leaf.shape.map(|s| &scene.shapes[s as usize].geometry);
@@ -70,8 +72,8 @@ pub fn farthest_leaf(scene: &Scene, tree: &Tree, whole: &Aabb, p: Vec3) -> f64 {
 }
 
 impl Geometry {
-    /// A distance from a point that nothing of the moved shape exceeds by more than rounding, where that is
-    /// known more closely than by a box.
+    /// An upper bound, up to rounding, on the distance of the moved shape's points from a point. `None` if none is
+    /// known that is closer than a box's.
     fn farthest(&self, m: &Matrix, p: Vec3) -> Option<f64> {
         match AnyShape::of(self) {
             AnyShape::Cuboid(s) => {
@@ -95,7 +97,7 @@ impl Geometry {
             }
             AnyShape::Torus(s) => {
                 let scale = ball::even_scale(m)?;
-                // The point of the tube's core that is furthest away, and from there as much further.
+                // The distance of the furthest point of the tube's core, and the radius of the tube on top.
                 let [x, y, z] = m.inverse()?.point(p);
                 Some(scale * ((x.hypot(z) + s.major).hypot(y) + s.minor))
             }

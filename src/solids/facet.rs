@@ -7,10 +7,10 @@ use crate::geometry::line::Traced;
 use crate::geometry::vec::Vec3;
 use crate::scene;
 
-/// The corners of the facet that a direction goes through, of the sphere of radius 1.
+/// The corners of the facet through which a direction goes, for a geodesic sphere of radius 1.
 pub fn facet<R: Traced>(d: Vec3<R>, splits: u32) -> [Vec3<R>; 3] {
     let mut corners = corners::<R>();
-    // Every facet of an icosahedron has the three corners that are nearest to what goes through it.
+    // The direction goes through the facet of the icosahedron whose corners are the three nearest ones.
     corners.sort_by(|a, b| {
         let order = b.dot(d).partial_cmp(&a.dot(d));
         order.unwrap_or(std::cmp::Ordering::Equal)
@@ -23,7 +23,7 @@ pub fn facet<R: Traced>(d: Vec3<R>, splits: u32) -> [Vec3<R>; 3] {
             sum * sum.dot(sum).sqrt().recip()
         };
         let (p, q, r) = (middle(a, b), middle(b, c), middle(c, a));
-        // Planes through the middle of the sphere part the four.
+        // Planes through the middle of the sphere separate the four parts.
         let parts = [[a, p, r], [b, q, p], [c, r, q]];
         let through = |[corner, u, v]: &[Vec3<R>; 3]| {
             let n = u.cross(*v);
@@ -51,12 +51,12 @@ fn corners<R: Traced>() -> [Vec3<R>; 12] {
     })
 }
 
-/// The corner next to a direction, of the sphere of radius 1.
+/// The corner that is nearest to a direction, for a geodesic sphere of radius 1.
 pub fn corner(d: scene::Vec3, splits: u32) -> scene::Vec3 {
     let mut corners = icosahedron::vertices();
     let nearest_first = |a: &scene::Vec3, b: &scene::Vec3| dot(*b, d).total_cmp(&dot(*a, d));
     corners.sort_by(nearest_first);
-    // The facet that the direction goes through, then the one of its four parts.
+    // The facet through which the direction goes is found first, then with each split the one of its four parts.
     let first = corners[0];
     let next_to = |a: scene::Vec3, b: &scene::Vec3| dot(a, *b) > 0.4 && dot(a, *b) < 0.9;
     let second = corners.iter().copied().find(|c| next_to(first, c));

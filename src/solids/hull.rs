@@ -4,9 +4,9 @@ use super::shapes::revolution::MAX_EXAMINED_POINTS;
 use super::shapes::{AnyShape, circle};
 use crate::scene::{Geometry, Vec3};
 
-/// Points between which all of the ball of radius 1 at the origin lies.
+/// Points whose convex hull holds the ball of radius 1 at the origin.
 pub fn ball_hull() -> Vec<Vec3> {
-    /// Corners of the polygon around a half circle from pole to pole.
+    /// The number of corners of the polygon around a half circle from pole to pole.
     const HALF: usize = 12;
     let step = std::f64::consts::PI / HALF as f64;
     let reach = 1.0 / (step / 2.0).cos();
@@ -18,8 +18,8 @@ pub fn ball_hull() -> Vec<Vec3> {
 }
 
 impl Geometry {
-    /// Points between which all of it lies: the corners of shapes that have some, polygons around circles.
-    /// `None` where balls and boxes serve as well.
+    /// Points whose convex hull holds all of the shape: its corners, and those of polygons around its circles. `None`
+    /// for shapes that have none, or for which a ball or a box serves as well.
     pub fn hull(&self) -> Option<Vec<Vec3>> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {

@@ -1,5 +1,5 @@
-//! Whether a point is in an object, as far as the steps last. Shapes decide exactly on the point that the
-//! matrices lead to; what those round, whoever asks has to leave room for.
+//! Whether a point is in an object, within a budget of steps. A shape decides exactly about the point in its own
+//! coordinates. The matrices round that point, for which the caller has to leave room.
 
 use super::tree::{both, either};
 use crate::geometry::Matrix;
@@ -7,29 +7,29 @@ use crate::scene::{Geometry, Node, NodeId, Scene, Vec3};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::containment::in_shape;
 
-/// Steps of all tests together: nodes visited and profile points compared. A second has room for
-/// many times that.
+/// The most steps of all tests together: nodes visited and profile points compared. A second has room for many times as
+/// many.
 const STEPS: usize = 5_000_000;
 
-/// Answers for one scene, as long as the steps last.
+/// Tells which points are in the objects of one scene, as long as the steps last.
 pub struct Inside<'a> {
     scene: &'a Scene,
     bounds: &'a [NodeBounds],
     /// Inverses of the scene's matrices, made when they are first needed.
     inverses: Vec<Option<Matrix>>,
     left: usize,
-    /// Room for [`node`](Self::node), kept from one point to the next.
+    /// Buffers of [`node`](Self::node), kept from one point to the next.
     tasks: Vec<Task>,
     answers: Vec<Option<bool>>,
 }
 
 enum Task {
     Ask(NodeId, Vec3),
-    /// Turns the last answer round.
+    /// Negates the last answer.
     Not,
-    /// The second operand has its answer: ask the first, unless it is settled.
+    /// Asks the first operand, unless the answer of the second one settles the operation.
     First(NodeId, Vec3),
-    /// The step once the first operand has its answer, with the answer of the second.
+    /// Joins the answer of the first operand with the answer of the second, which is given.
     Join(NodeId, Option<bool>),
 }
 
@@ -45,8 +45,7 @@ impl<'a> Inside<'a> {
         }
     }
 
-    /// Whether a point, in the node's coordinates, is in it. `None` where that is not known, or no
-    /// steps are left.
+    /// Whether a point, in the node's coordinates, is in the node. `None` if this is not known, or no steps are left.
     pub fn node(&mut self, node: NodeId, p: Vec3) -> Option<bool> {
         self.tasks.clear();
         self.answers.clear();
@@ -110,7 +109,7 @@ impl<'a> Inside<'a> {
                 self.tasks.push(Task::Not);
                 self.tasks.push(Task::Ask(child, p));
             }
-            // The second operand first: chains grow by it, and it is mostly the smaller one.
+            // The second operand is asked first: chains grow by second operands, which are mostly the smaller ones.
             Node::Union(_, second)
             | Node::Intersection(_, second)
             | Node::Difference(_, second) => {
@@ -121,7 +120,7 @@ impl<'a> Inside<'a> {
         Some(())
     }
 
-    /// Whether a point, in the shape's coordinates, is in the shape; `None` once too much has been asked.
+    /// Whether a point, in the shape's coordinates, is in the shape. `None` if too few steps are left.
     pub fn shape(&mut self, geometry: &Geometry, p: Vec3) -> Option<bool> {
         self.left = self.left.checked_sub(geometry.pieces())?;
         Some(in_shape(geometry, p))

@@ -1,4 +1,4 @@
-//! A search for a point at which something is below zero, where it is lowest first.
+//! A search for a point at which two functions are below zero, in the order of their least values.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -8,7 +8,7 @@ use crate::geometry::Aabb;
 use crate::geometry::array::{dot, length};
 use crate::scene::Vec3;
 
-/// A part of the region.
+/// A box that is a part of the region.
 struct Cell {
     /// The rank of the cell: the one with the lowest key is looked at first.
     key: f64,
@@ -36,22 +36,23 @@ impl Ord for Cell {
     }
 }
 
-/// Factor by which a cell's middle is further from all that is below zero than its corners where the cell is left out:
-/// fields are rough.
+/// A cell is left out if the value at its middle is at least this factor times the distance to its corners. The factor
+/// is more than 1, since fields are rough.
 const FIELD_SLACK: f64 = 1.5;
 
-/// How much what may be in a cell counts against what is known of its middle.
+/// The factor of the distance from a cell's middle to its corners, in the key: values in the cell may be lower than at
+/// the middle.
 const HOPE: f64 = 0.5;
 
-/// First cells, from each of which a way down is looked for.
+/// The number of first cells, from each of which the search descends.
 const FIRST_DESCENT_CELLS: usize = 24;
-/// Later cells, from one of which a way down is looked for.
+/// The search descends from one of this many later cells.
 const LATER_CELLS_PER_DESCENT: usize = 8;
-/// Most steps of a way down.
+/// The most steps of a descent.
 const MAX_DESCENT_STEPS: usize = 12;
 
-/// A point of a region, which ends, that is accepted: one of a few where both slopes are below zero by more
-/// than `least`. Cells are halved until they are smaller than that, or no more points are left.
+/// Finds a point of a finite region that `accept` accepts, among those where both slopes are below zero by more than
+/// `least`. Cells are halved until they are smaller than `least`, or no more points are left.
 pub fn lowest(
     region: &Aabb,
     least: f64,
@@ -101,7 +102,7 @@ struct Search<'a, S, A> {
 }
 
 impl<S: FnMut(Vec3) -> [Slope; 2], A: FnMut(Vec3) -> bool> Search<'_, S, A> {
-    /// The slopes at a point, and the point if it is what is looked for; `None` when no points are left.
+    /// The slopes at a point, and the point itself if it is low enough and accepted. `None` when no points are left.
     fn at(&mut self, p: Vec3) -> Option<([Slope; 2], Option<Vec3>)> {
         *self.points = self.points.checked_sub(1)?;
         let slopes = (self.slopes)(p);
@@ -110,7 +111,8 @@ impl<S: FnMut(Vec3) -> [Slope; 2], A: FnMut(Vec3) -> bool> Search<'_, S, A> {
         Some((slopes, found))
     }
 
-    /// Looks at a cell's middle, and keeps it if there may be more in it.
+    /// Tries the middle of a cell, and keeps the cell if other points of it may be lower. Returns the middle if it is
+    /// accepted; `None` when no points are left.
     fn look(&mut self, centre: Vec3, half: Vec3) -> Option<Option<Vec3>> {
         let ([a, b], found) = self.at(centre)?;
         let value = a.distance.max(b.distance);
@@ -125,7 +127,8 @@ impl<S: FnMut(Vec3) -> [Slope; 2], A: FnMut(Vec3) -> bool> Search<'_, S, A> {
         Some(found)
     }
 
-    /// Descends from a cell's middle along both slopes, to where their tangent planes are as deep as they are high.
+    /// Descends from a cell's middle along both slopes: each step aims at where both tangent planes are equally far
+    /// below zero. Returns the point that is accepted, if there is one; `None` when no points are left.
     fn descend(&mut self, cell: &Cell) -> Option<Option<Vec3>> {
         let trust = 4.0 * length(cell.half);
         let mut p = cell.centre;
@@ -138,7 +141,7 @@ impl<S: FnMut(Vec3) -> [Slope; 2], A: FnMut(Vec3) -> bool> Search<'_, S, A> {
             let (x, y) = (a.distance + deep, b.distance + deep);
             let c = dot(a.up, b.up);
             let area = 1.0 - c * c;
-            // The shortest step that takes both down by this much.
+            // The shortest step that lowers the one distance by x and the other by y.
             let (s, t) = match area > 1e-9 {
                 true => ((x - c * y) / area, (y - c * x) / area),
                 false => (x / 2.0, y / 2.0),

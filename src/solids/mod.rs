@@ -25,7 +25,7 @@ pub mod within;
 use crate::diagnostics::Span;
 use crate::scene::{Node, NodeId, Scene, Vec3};
 
-/// How far two points are from each other.
+/// The distance between two points.
 pub fn distance(p: Vec3, q: Vec3) -> f64 {
     let [x, y, z]: Vec3 = std::array::from_fn(|i| p[i] - q[i]);
     let square = x * x + y * y + z * z;
@@ -39,21 +39,21 @@ pub fn distance(p: Vec3, q: Vec3) -> f64 {
 /// The name of a node for people, and its place in the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Named {
-    /// The name of its kind, a term.
+    /// The name of the node's kind, a term of the messages.
     pub title: &'static str,
-    /// The ID by which it is written where it occurs: its own or that of a copy.
+    /// The ID under which the node is written where it occurs: its own or that of a copy.
     pub id: u32,
     pub span: Span,
 }
 
-/// The shape or operation that a node is a state of; `None` for complements.
+/// The name of the shape or operation that a node is a state or a copy of. `None` for complements.
 pub fn named(scene: &Scene, node: NodeId) -> Option<Named> {
     named_core(scene, node)
         .filter(|(_, core)| !matches!(core, Node::Complement(_)))
         .map(|(named, _)| named)
 }
 
-/// The shape, operation or complement that a node is a state of.
+/// The shape, operation or complement that a node is a state or a copy of, with its name.
 pub fn named_core(scene: &Scene, node: NodeId) -> Option<(Named, Node)> {
     let mut copies = scene.states(node).filter_map(|(_, node)| match node {
         Node::Copy { id, .. } => Some(id),

@@ -15,13 +15,13 @@ pub struct Orbit {
 
 impl Orbit {
     /// The turn of a camera around its up direction, through the point of its line of sight that is nearest to
-    /// `centre`. Two cameras have one turn: the up direction is that of the first, and their line of sight begins halfway
-    /// between them. `None` where they have no direction in common.
+    /// `centre`. Two cameras have one turn: the up direction is that of the first, and their line of sight begins
+    /// halfway between them. `None` where they have no direction in common.
     pub fn of(cameras: &[Camera], centre: Vec3) -> Option<Orbit> {
         let positions: Vec<Vec3> = cameras.iter().map(|c| c.position).collect();
         let directions: Option<Vec<Vec3>> = cameras.iter().map(|c| unit(c.direction)).collect();
         let (eye, forward) = (middle(&positions), unit(middle(&directions?))?);
-        // What is behind the eye is not looked at.
+        // The pivot is never behind the eye.
         let ahead = dot(sub(centre, eye), forward).max(0.0);
         Some(Orbit {
             axis: unit(cameras.first()?.up)?,
@@ -29,7 +29,7 @@ impl Orbit {
         })
     }
 
-    /// A camera after a turn by so many degrees, counter-clockwise seen from the tip of the axis.
+    /// A camera after a turn by this many degrees, counter-clockwise seen from the tip of the axis.
     pub fn turned(&self, camera: &Camera, degrees: f64) -> Camera {
         let (sin, cos) = sin_cos_degrees(degrees);
         if (sin, cos) == (0.0, 1.0) {
@@ -40,7 +40,7 @@ impl Orbit {
             let across = add(v.map(|x| x * cos), cross(self.axis, v), sin);
             add(across, self.axis, dot(self.axis, v) * (1.0 - cos))
         };
-        // What lies on the axis stays there, but for rounding.
+        // An up vector along the axis stays as it is: turning it would only round it.
         let up = match cross(unit(camera.up).unwrap_or(self.axis), self.axis) {
             [0.0, 0.0, 0.0] => camera.up,
             _ => turn(camera.up),

@@ -21,19 +21,19 @@ pub struct Met {
     pub shape: u32,
 }
 
-/// How many points of a kind are looked at, those first that reach furthest out.
+/// The most points that are looked at, those first that reach furthest out.
 const SUPPORTS: usize = 16;
 
-/// How far from the surface a point is tried, as a share of how far that is out of the volume.
+/// The distance from the surface at which a point is tried, as a share of the distance of the surface from the volume.
 const STEP: f64 = 0.01;
 
-/// Directions in which shapes are asked how far they reach, for all searches that share a budget: some tenths of
-/// a second.
+/// The most directions in which shapes are asked how far they reach, for all searches that share a budget: some tenths
+/// of a second.
 pub const DIRECTIONS: usize = 3_000_000;
 
 /// The exactly known points of an object: those where its leaves reach furthest.
 pub struct Outline<'a> {
-    /// How many directions are left.
+    /// The number of directions that are left.
     pub left: &'a Cell<usize>,
     pub scene: &'a Scene,
     pub bounds: &'a [NodeBounds],
@@ -52,7 +52,7 @@ impl Outline<'_> {
         place.group == NONE && !place.turned
     }
 
-    /// Whether nothing reaches out of a box at all if [`outside`](Self::outside) finds nothing.
+    /// Whether the volume is a box and [`outside`](Self::outside) finds every part that reaches out of it at all.
     pub fn is_exact(&self, volume: &Volume) -> bool {
         let directions = directions(volume);
         let whole = |leaf: &Leaf| {
@@ -66,7 +66,7 @@ impl Outline<'_> {
         matches!(volume, Volume::Box { .. }) && self.tree.leaves.iter().all(whole)
     }
 
-    /// A point of the surface outside of a volume by more than rounding, of those the furthest.
+    /// The point of the surface that is furthest outside of a volume, if it is outside by more than rounding.
     pub fn outside(&self, volume: &Volume) -> Option<Met> {
         let slack = WRITTEN * size(volume);
         self.first(volume, slack, |b| farthest_out(volume, b), |by| by)
@@ -78,8 +78,8 @@ impl Outline<'_> {
         self.first(volume, slack, |_| f64::INFINITY, |by| -by)
     }
 
-    /// The support to which the most is given, by how far out it is, of those that are worth more than
-    /// `least` and are part of the surface. `most`: what nothing in a box is worth more than.
+    /// The support of the greatest worth that is part of the surface and is worth more than `least`. `worth` rates a
+    /// point by its distance out of the volume. `most` is an upper bound on the worth of the points in a box.
     fn first(
         &self,
         volume: &Volume,
@@ -124,7 +124,7 @@ impl Outline<'_> {
                     std::array::from_fn(|i| support.point[i] + step * STEP * by / length * v[i])
                 }
             };
-            // Where the same piece of a profile is gone over twice there is nothing.
+            // Where a profile runs along the same piece twice there is no surface.
             let plain = !(self.geometry(leaf)).is_some_and(|g| g.character().may_cover_itself);
             let sheet = support.inwards.is_none();
             let held = match self.is_whole(leaf) && plain {
@@ -135,7 +135,7 @@ impl Outline<'_> {
                     worth(beyond(volume, p)) > least && inside.node(self.root, p) == Some(true)
                 }
             };
-            // Nothing else holds what is around it.
+            // No other part of the object may hold a point just outside.
             held && inside.node(self.root, at(-1.0)) == Some(false)
         };
         let (_, leaf, support) = all.iter().find(|c| is_part(c))?;

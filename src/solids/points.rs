@@ -9,11 +9,11 @@ use crate::geometry::{Aabb, Matrix};
 use crate::scene::{Scene, Vec3};
 use crate::solids::bounds::NodeBounds;
 
-/// Boxes looked at, for all points together: some tenths of a second.
+/// The most steps for all points together, such as boxes that are looked at: some tenths of a second.
 const STEPS: usize = 12_000_000;
 
-/// Cost of placing a point in the coordinates of a shape, in steps, and the cost where the point is inside: the
-/// operations above are gone through.
+/// The cost of moving a point into a shape's coordinates, in steps. [`HELD_COST`] comes on top if the point may be
+/// inside: the operations above the shape are then gone through.
 const SHAPE_COST: usize = 4;
 const HELD_COST: usize = 12;
 
@@ -51,7 +51,8 @@ impl<'a> Points<'a> {
         Some(near)
     }
 
-    /// The leaves among `near` that hold a point or may do so, as their places; `None` when no steps are left.
+    /// The places of the leaves among `near` that hold a point or may hold it, with the answers. `None` when no steps
+    /// are left.
     pub fn at(&mut self, p: Vec3, near: &[u32]) -> Option<Vec<(u32, Answer)>> {
         self.spend(near.len())?;
         let mut out = Vec::new();
@@ -91,7 +92,7 @@ impl<'a> Points<'a> {
         self.left == 0
     }
 
-    /// Takes steps; the last ones if there are fewer.
+    /// Takes steps from the budget. If too few are left, takes all of them and returns `None`.
     fn spend(&mut self, steps: usize) -> Option<()> {
         let left = self.left.checked_sub(steps);
         self.left = left.unwrap_or(0);

@@ -1,5 +1,5 @@
-//! Proofs that two solids have nothing in common, or that one holds all of the other: by boxes, balls,
-//! half-spaces, planes between them, and by being the same.
+//! Proofs that two solids have nothing in common, or that one holds all of the other: by boxes, balls, half-spaces,
+//! planes between them, and equality.
 
 use super::distance;
 use super::extent::ball;
@@ -10,23 +10,23 @@ use crate::scene::{Geometry, Node, NodeId, Scene, Vec3, fold_up};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::within::{CLEARANCE_REL, PlacedShape, far};
 
-/// How many of a list are kept, the first ones: what a chain begins with is what is cut.
+/// The most literals that a list keeps. The first ones are kept, since a chain begins with the object that is cut.
 pub const KEPT: usize = 4;
 
-/// How many parts of a union are looked at, as long as there are [`Proofs::left`] of them; then
-/// no more than [`KEPT`].
+/// The most parts of a union that are looked at, as long as the budget [`Proofs::left`] lasts; then no more than
+/// [`KEPT`].
 const PARTS: usize = 64;
 
-/// Parts of larger unions, for all proofs together: some hundredths of a second.
+/// The budget of parts in unions of more than [`KEPT`], for all proofs together: some hundredths of a second.
 const MORE: usize = 100_000;
 
-/// Pairs of parts of two unions that are compared, for all proofs together: some hundredths of a second.
+/// The most pairs of parts of two unions that are compared, for all proofs together: some hundredths of a second.
 const PAIRS: usize = 100_000;
 
-/// A node in the coordinates of the operation, or its complement.
+/// A node in the coordinates of the operation; with `true`, the complement of the node.
 pub type Literal = (NodeId, bool);
 
-/// A few literals that are all to hold, the first ones where there are more than [`KEPT`].
+/// A few literals that must all hold: the first [`KEPT`] if there are more.
 #[derive(Debug, Clone, Copy)]
 pub struct Literals {
     all: [Literal; KEPT],
@@ -72,8 +72,8 @@ pub enum Reason {
     },
     /// The first is outside of the second, a half-space.
     Beyond,
-    /// A plane lies between them: the first is where the product with this vector of length 1 is at
-    /// most `end`, the second where it is at least `begin`.
+    /// A plane lies between them. The dot product with the unit vector `normal` is at most `end` in the first and at
+    /// least `begin` in the second.
     Plane {
         normal: Vec3,
         end: f64,
@@ -90,7 +90,7 @@ pub enum Reason {
 pub struct Proofs<'a> {
     scene: &'a Scene,
     bounds: &'a [NodeBounds],
-    /// Whether a surface without inside is a part, to which the laws of sets do not apply.
+    /// For each node, whether a surface without an inside is part of it: the laws of sets do not apply to surfaces.
     sheets: Vec<bool>,
     left: usize,
     pairs_left: usize,
@@ -111,17 +111,18 @@ impl<'a> Proofs<'a> {
         }
     }
 
-    /// The rest of all of space without an object, as far as that is a list.
+    /// The complement of a node as a list of literals that must all hold. `list` is the node itself as a list.
     pub fn complement(&mut self, node: NodeId, list: &[Literal]) -> Vec<Literal> {
         match *list {
             [(n, true)] => vec![(n, false)],
-            // Without any part of a union.
+            // The complement of a union is outside of each of its parts.
             [(n, false)] => self.parts(n).into_iter().map(|p| (p, true)).collect(),
             _ => vec![(node, true)],
         }
     }
 
-    /// Two things that have nothing in common. `whole`: the operands, where both are to hold.
+    /// Two nodes, one from each list, that have nothing in common, in the order of the reason. `whole`: the operands,
+    /// if both are to hold.
     pub fn nothing(
         &mut self,
         first: &[Literal],
@@ -132,7 +133,7 @@ impl<'a> Proofs<'a> {
             for &(y, y_out) in second {
                 let reason = match (x_out, y_out) {
                     (false, false) => match self.apart(x, y) {
-                        // Only the second is said to be in parts.
+                        // The reason names the second node as the union, so the nodes are exchanged.
                         None if self.in_parts(y, x) => return Some((y, x, Reason::Parts)),
                         None if self.in_parts(x, y) => Some(Reason::Parts),
                         None if self.beyond(y, &placed(self.scene, x)) => {
@@ -169,11 +170,11 @@ impl<'a> Proofs<'a> {
         &self.bounds[n as usize].all
     }
 
-    /// An axis along which the boxes of two things are apart: where one ends, where the other begins,
-    /// and whether it is the second one that ends. Boxes are rounded outwards.
+    /// An axis along which the boxes of two nodes are apart: where the lower box ends, where the upper one begins, and
+    /// whether the lower box is the second node's. Boxes are rounded outwards.
     fn boxes_apart(&self, a: NodeId, b: NodeId) -> Option<(usize, f64, f64, bool)> {
         let (a, b) = (self.all(a), self.all(b));
-        // Nearer to each other than that they touch, as far as the numbers go.
+        // Boxes that are nearer to each other than this may touch, as far as the numbers go.
         let clear = |end: f64, begin: f64| begin - end > CLEARANCE_REL * (end.abs() + begin.abs());
         (0..3).find_map(
             |i| match (clear(a.max[i], b.min[i]), clear(b.max[i], a.min[i])) {
@@ -189,7 +190,7 @@ impl<'a> Proofs<'a> {
             return None;
         }
         if let Some((axis, end, begin, second)) = self.boxes_apart(x, y) {
-            // Told the other way round by whoever asks.
+            // If the second box is the lower one, the numbers are exchanged here, and the caller exchanges the nodes.
             let (end, begin) = if second { (begin, end) } else { (end, begin) };
             return Some(Reason::Apart { axis, end, begin });
         }
@@ -200,14 +201,14 @@ impl<'a> Proofs<'a> {
             let radii = r + s;
             return (between > radii + clear).then_some(Reason::Balls { between, radii });
         }
-        // Only the first is said to be outside of the second.
+        // The reason names the first node as outside of the second.
         if self.beyond(x, &q) {
             return Some(Reason::Beyond);
         }
         self.plane_between(&p, &q)
     }
 
-    /// Whether each part of a union is apart from something, or from all its parts if that is a union, too.
+    /// Whether each part of a union is apart from `x`, or from all parts of `x` if `x` is a union, too.
     fn in_parts(&mut self, x: NodeId, union: NodeId) -> bool {
         if self.all(x).is_empty() {
             return false;
@@ -222,7 +223,7 @@ impl<'a> Proofs<'a> {
         near.is_empty() || self.are_apart(x, &near)
     }
 
-    /// Whether all parts of a union are apart from each of some things.
+    /// Whether each part of a union is apart from each of the other nodes.
     fn are_apart(&mut self, union: NodeId, others: &[NodeId]) -> bool {
         if !matches!(
             self.scene.nodes[self.unpainted(union) as usize],
@@ -245,7 +246,7 @@ impl<'a> Proofs<'a> {
         (parts.iter()).all(|a| others.iter().all(|b| is_apart(a, b)))
     }
 
-    /// What is painted or copied, without that.
+    /// The node below all paints and copies.
     fn unpainted(&self, mut node: NodeId) -> NodeId {
         while let Node::Paint { child, .. } | Node::Copy { child, .. } =
             self.scene.nodes[node as usize]
@@ -255,7 +256,7 @@ impl<'a> Proofs<'a> {
         node
     }
 
-    /// The parts of a union; where there are more than are looked at, some of them in larger parts.
+    /// The parts of a union. If there are too many, some of them stay together as smaller unions.
     fn parts(&mut self, node: NodeId) -> Vec<NodeId> {
         let most = if self.left > 0 { PARTS } else { KEPT };
         let mut out = Vec::new();
@@ -273,8 +274,8 @@ impl<'a> Proofs<'a> {
         out
     }
 
-    /// A plane between two shapes that end: along a face of one of them, along an edge of each, or
-    /// across the way from the one to the other.
+    /// A plane between two bounded shapes: along a face of one of them, along an edge of each, or across the line
+    /// between their centres.
     fn plane_between(&self, p: &Placed, q: &Placed) -> Option<Reason> {
         let (g, h) = (self.geometry(p)?, self.geometry(q)?);
         let edges = |m: &Matrix| -> [Vec3; 3] {
@@ -296,7 +297,8 @@ impl<'a> Proofs<'a> {
             let size = [low, high, from, to]
                 .iter()
                 .fold(0.0f64, |m, x| m.max(x.abs()));
-            // What rounds the products: where the shapes are, not how far along the vector.
+            // The products are rounded by the distance of the shapes from the origin, not only by their extent along
+            // the normal.
             let places = [p, q].map(|x| far(&self.all(x.node).min).max(far(&self.all(x.node).max)));
             let clear = CLEARANCE_REL * (size + places[0] + places[1]);
             if from - high > clear {
@@ -320,7 +322,7 @@ impl<'a> Proofs<'a> {
         Some(&self.scene.shapes[p.shape? as usize].geometry)
     }
 
-    /// Whether all of a thing that ends is outside of a half-space.
+    /// Whether all of a bounded node is outside of a half-space.
     fn beyond(&self, x: NodeId, plane: &Placed) -> bool {
         let Some(Geometry::HalfSpace([a, b, c, d])) = self.geometry(plane) else {
             return false;
@@ -335,7 +337,7 @@ impl<'a> Proofs<'a> {
         })
     }
 
-    /// Whether nothing of x is left without y.
+    /// The reason why `x` without `y` is empty, if that is proved.
     pub fn covered(&self, x: NodeId, y: NodeId) -> Option<Reason> {
         let (p, q) = (placed(self.scene, x), placed(self.scene, y));
         let solid = !self.sheets[x as usize] && !self.sheets[y as usize];
@@ -356,7 +358,7 @@ impl<'a> Proofs<'a> {
         (outer.holds(self.all(x), shape) || self.between_faces(&p, &q)).then_some(Reason::Within)
     }
 
-    /// Whether a shape lies between the faces of another, where these are all planes.
+    /// Whether the shape `p` lies between the faces of the shape `q`, which are all planes.
     fn between_faces(&self, p: &Placed, q: &Placed) -> bool {
         let (Some(g), Some(h)) = (self.geometry(p), self.geometry(q)) else {
             return false;
@@ -364,7 +366,7 @@ impl<'a> Proofs<'a> {
         let Some(back) = q.matrix.inverse() else {
             return false;
         };
-        // A coordinate of the other one's own space is the product with a vector, and a number.
+        // A coordinate in the space of `q` is the dot product with a vector, plus a number.
         let row = |i: usize| -> (Vec3, f64) {
             let r = back.0[i];
             ([r[0], r[1], r[2]], r[3])
@@ -390,13 +392,14 @@ impl<'a> Proofs<'a> {
                 let offset = (0..3).map(|i| factors[i] * rows[i].1).sum::<f64>() + d;
                 reaches((normal, offset)).is_some_and(|(_, high)| high < 0.0)
             }
-            // Of others nothing is proved.
+            // Nothing is proved of other shapes.
             _ => false,
         }
     }
 }
 
-/// The corners of something somewhat larger than a box, in the coordinates of a shape.
+/// The corners of a box that is slightly enlarged, in the coordinates of a shape. `None` if the box is empty or
+/// infinite.
 fn corners_of(b: &Aabb, to: &Placed) -> Option<[Vec3; 8]> {
     if !b.is_finite() || b.is_empty() {
         return None;
@@ -411,7 +414,7 @@ fn corners_of(b: &Aabb, to: &Placed) -> Option<[Vec3; 8]> {
     }))
 }
 
-/// A node below its transformations and properties.
+/// A node with its core, and the matrix from the core's coordinates to the node's.
 struct Placed {
     node: NodeId,
     core: NodeId,

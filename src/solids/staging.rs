@@ -8,13 +8,13 @@ use std::borrow::Cow;
 
 /// The vertical field of view of the automatic camera, in degrees.
 const AUTOMATIC_FOVY: f64 = 45.0;
-/// Factor by which the bounding sphere is seen as if it were larger.
+/// The factor by which the bounding sphere is enlarged for framing, so that a margin is left around it.
 const FRAMING_FACTOR: f64 = 1.05;
 /// Intensities of the automatic lights: together no more than white.
 const AMBIENT: f64 = 0.2;
 const LAMP: f64 = 0.8;
-/// Place of the automatic lamp, seen from the middle of the scene: so many degrees to the left of the camera, so many
-/// above the horizontal, so many radii of the scene away.
+/// The place of the automatic lamp, seen from the middle of the scene: degrees to the left of the camera, degrees above
+/// the horizontal, and the distance in radii of the scene.
 const LAMP_LEFT: f64 = 70.0;
 const LAMP_HEIGHT: f64 = 45.0;
 const LAMP_RADII: f64 = 10.0;
@@ -22,7 +22,7 @@ const LAMP_RADII: f64 = 10.0;
 /// The choice of the camera.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Viewpoint {
-    /// The cameras that the render record chooses; without any, the automatic one.
+    /// The cameras of the scene's own view; without any, the automatic one.
     #[default]
     Scene,
     /// The camera of this number in [`Scene::cameras`].
@@ -61,14 +61,14 @@ impl Side {
 
 /// The elevation of a view along the diagonal of a cube: the arc tangent of 1/√2, in degrees.
 const ISOMETRIC: f64 = 35.264_389_682_754_654;
-/// Three-quarter: an object shows its front, its right side and its top.
+/// The angles of the automatic camera, as in [`Side::angles`]: an object shows its front, its right side and its top.
 const AUTOMATIC: [f64; 2] = [30.0, 25.0];
 
-/// The scene as it is drawn, with the camera that takes the picture and with light: what it lacks is added, under
-/// ID 0. `aspect` is the picture's width by its height.
+/// The scene as it is drawn, with the camera that takes the picture and with light. A camera or lights that the scene
+/// lacks are added, under ID 0. `aspect` is the picture's width divided by its height.
 ///
-/// A scene without a camera gets one that looks from 30° to the right of the front and 25° above the horizontal. A scene
-/// without any light gets an ambient light of 0.2 and a lamp of 0.8, above the camera and to its left.
+/// A scene without a camera gets one that looks from 30° to the right of the front and 25° above the horizontal. A
+/// scene without any light gets an ambient light of 0.2 and a lamp of 0.8, above the camera and to its left.
 pub fn staged(scene: &Scene, viewpoint: Viewpoint, aspect: f64) -> Cow<'_, Scene> {
     let view = match viewpoint {
         Viewpoint::Scene => scene.view,
@@ -120,7 +120,7 @@ pub fn selected_cameras(scene: &Scene, aspect: f64) -> Vec<Camera> {
     }
 }
 
-/// Whether a scene has the cameras of a view, and there is any.
+/// Whether a view has cameras, and the scene has all of them.
 fn has_cameras(scene: &Scene, view: View) -> bool {
     view != View::Automatic && view.cameras().all(|i| i < scene.cameras.len())
 }
@@ -130,10 +130,10 @@ pub fn is_dark(scene: &Scene) -> bool {
     scene.ambient_lights.is_empty() && scene.point_lights.is_empty()
 }
 
-/// The way of length 1 from the middle of a scene to what is seen at these angles: degrees to the right of the front,
+/// The unit vector from the middle of a scene to a camera or lamp at these angles: degrees to the right of the front,
 /// and above the horizontal.
 fn towards([azimuth, elevation]: [f64; 2]) -> Vec3 {
-    // Of whole quarters the results are exact.
+    // Whole quarters of a turn give exact results.
     let turn = |degrees: f64| match degrees {
         90.0 | -90.0 => [1f64.copysign(degrees), 0.0],
         180.0 => [0.0, -1.0],
@@ -146,7 +146,7 @@ fn towards([azimuth, elevation]: [f64; 2]) -> Vec3 {
     [x * across, y, z * across]
 }
 
-/// The camera from which a ball is seen at these angles, and fits into the picture both ways.
+/// The camera that sees a ball at these angles, so far away that the ball fits into the picture both ways.
 fn camera_around(centre: Vec3, radius: f64, angles: [f64; 2], aspect: f64) -> Camera {
     let vertical = (AUTOMATIC_FOVY / 2.0).to_radians();
     let horizontal = libm::atan(libm::tan(vertical) * aspect);
@@ -167,19 +167,19 @@ fn camera_around(centre: Vec3, radius: f64, angles: [f64; 2], aspect: f64) -> Ca
     }
 }
 
-/// The camera of a scene that has none. `aspect` is width by height.
+/// The camera of a scene that has none. `aspect` is the picture's width divided by its height.
 pub fn automatic_camera(scene: &Scene, bounds: &[NodeBounds], aspect: f64) -> Camera {
     let (centre, radius) = middle(&seen_box(scene, bounds));
     camera_around(centre, radius, AUTOMATIC, aspect)
 }
 
 /// The place of the automatic lamp: to the left of the camera about the vertical axis through the middle of the scene.
-/// Of a camera that looks straight up the lamp stands as far below, so that what is seen is lit.
+/// If the camera looks straight up, the lamp stands as far below the horizontal, so that it lights what is seen.
 fn lamp(centre: Vec3, radius: f64, camera: Option<&Camera>) -> Vec3 {
     let front = ([0.0, 0.0, 1.0], LAMP_HEIGHT);
     let (back, height) = camera.and_then(Basis::of).map_or(front, |basis| {
         let [x, y, z] = basis.forward;
-        // Of a camera that looks straight down or up, its right still tells where it stands.
+        // If a camera looks straight down or up, its right vector still tells where it stands.
         match libm::hypot(x, z) > MIN_HORIZONTAL_SINE {
             true => ([-x, 0.0, -z], LAMP_HEIGHT),
             false => (
@@ -195,7 +195,7 @@ fn lamp(centre: Vec3, radius: f64, camera: Option<&Camera>) -> Vec3 {
 /// Length of a unit direction's horizontal part below which a camera looks up or down.
 const MIN_HORIZONTAL_SINE: f64 = 1e-3;
 
-/// The middle of what is to be seen and the radius of the ball around it, more than 0.
+/// The middle of the box, and the radius of the ball around it. The radius is more than 0, also for an empty box.
 fn middle(seen: &Aabb) -> (Vec3, f64) {
     if seen.is_empty() {
         return ([0.0; 3], 1.0);
@@ -204,13 +204,13 @@ fn middle(seen: &Aabb) -> (Vec3, f64) {
     (seen.centre(), if radius > 0.0 { radius } else { 1.0 })
 }
 
-/// The middle of what is drawn: the origin where nothing of it is bounded.
+/// The middle of what is drawn, or the origin if nothing of it is bounded.
 pub fn centre(scene: &Scene, bounds: &[NodeBounds]) -> Vec3 {
     middle(&seen_box(scene, bounds)).0
 }
 
-/// The box that the automatic camera frames: the render record's, else that of the bounded parts
-/// of the scene. Finite; empty where nothing is bounded.
+/// The box that the automatic camera frames: the region of the render record, else the box of the bounded parts of what
+/// is drawn. The box is finite, and empty where nothing is bounded or drawn.
 pub fn seen_box(scene: &Scene, bounds: &[NodeBounds]) -> Aabb {
     match &scene.render {
         Some(render) => match render.clip {
@@ -232,7 +232,7 @@ pub struct Basis {
 }
 
 impl Basis {
-    /// `None` where direction and up are parallel or not finite.
+    /// Computes the directions of a camera. `None` if direction and up are parallel or not finite.
     pub fn of(camera: &Camera) -> Option<Basis> {
         let forward = unit(camera.direction)?;
         let right = unit(cross(forward, unit(camera.up)?))?;
@@ -243,7 +243,7 @@ impl Basis {
         })
     }
 
-    /// A vector of the camera's space (right, up, backwards) in the scene's.
+    /// The vector in the scene's coordinates whose coordinates in the camera's space (right, up, backwards) are `v`.
     pub fn turned(&self, v: Vec3) -> Vec3 {
         std::array::from_fn(|i| self.right[i] * v[0] + self.up[i] * v[1] - self.forward[i] * v[2])
     }

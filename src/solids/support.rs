@@ -8,13 +8,13 @@ use crate::geometry::Matrix;
 use crate::geometry::array::dot;
 use crate::scene::{Geometry, Vec3, Volume};
 
-/// How often a way outwards is corrected: each time the point found is at least as far out, and with
-/// corners it is there after two or three times.
+/// The most corrections of a direction outwards. After each one the point is at least as far out. For shapes with
+/// corners, two or three are enough.
 const STEPS: usize = 12;
 
-/// Points of a moved shape that reach out of a volume, looked for along its [`directions`]; none for shapes
-/// without end. Of a box they are those that reach furthest. Each direction asked for is taken from what
-/// is `left`; where nothing is, there are no more.
+/// Points of a moved shape that may reach out of a volume, one for each of the [`directions`]; none for planes,
+/// half-spaces and quadrics. For a box they are the points that reach furthest. Each question about a direction takes
+/// one from `left`. When `left` is 0, there are no more points.
 pub fn support_points<'a>(
     geometry: &'a Geometry,
     m: &'a Matrix,
@@ -29,7 +29,7 @@ pub fn support_points<'a>(
     let reach = move |d: Vec3| {
         let mut support = ask(d)?;
         if let Volume::Sphere { centre, .. } = volume {
-            // What is furthest along the way to the furthest point so far is not nearer.
+            // The point that is furthest in the direction of the last point is not nearer.
             for _ in 0..STEPS {
                 let way = std::array::from_fn(|i| support.point[i] - centre[i]);
                 let next = ask(way)?;
@@ -44,15 +44,15 @@ pub fn support_points<'a>(
     directions.iter().copied().filter_map(reach)
 }
 
-/// How far a moved shape goes in a direction, as the least and the largest product with it; `None` for
-/// shapes without end.
+/// The least and the largest dot product of a moved shape's points with a direction. `None` for planes, half-spaces and
+/// quadrics.
 pub fn extent(geometry: &Geometry, m: &Matrix, d: Vec3) -> Option<(f64, f64)> {
     let along = |d: Vec3| Some(dot(moved_support(geometry, m, d)?.point, d));
     Some((-along(d.map(|x| -x))?, along(d)?))
 }
 
-/// Directions in which a shape may reach beyond a volume: towards the sides of a box, and all around a sphere towards
-/// the sides, edges and corners of one.
+/// Directions in which a shape may reach beyond a volume: towards the sides of a box; for a sphere towards the sides,
+/// edges and corners of a cube.
 pub fn directions(volume: &Volume) -> Vec<Vec3> {
     let part = |k: usize| (k % 3) as f64 - 1.0;
     let all = (0..27).map(|k| [part(k), part(k / 3), part(k / 9)]);

@@ -1,8 +1,8 @@
-//! The scene with every shape in its place, and what every part of it comes to at a point.
+//! The scene as a tree in which every shape is in its place, and the value of every part of it at a point.
 //!
-//! A node that occurs twice stands here twice. At a point most shapes are out; what an operation
-//! comes to where all of its shapes are is known beforehand, so that only the few whose bounds hold
-//! the point are looked at, however long the chain that they are part of.
+//! A node that occurs twice stands here twice. A point is outside of most shapes, and the value of an operation outside
+//! of all its shapes is known beforehand. So only the few shapes whose bounds hold the point are looked at, however
+//! long the chain of which they are parts.
 
 use super::ancestry::{Ancestry, NONE};
 use super::leaf::Leaf;
@@ -10,8 +10,8 @@ use crate::geometry::Matrix;
 use crate::scene::{Node, NodeId, Scene, fold_up};
 use crate::solids::bounds::NodeBounds;
 
-/// Most nodes that are gone through for the second time or more. Scenes that share parts without end would take more:
-/// parts beyond are known as a whole only.
+/// The most nodes that are gone through for the second time or more. If shared parts would take more, the rest of them
+/// are known as a whole only.
 const MAX_REPEATED_NODES: u32 = 400_000;
 
 /// An answer about a point: inside (`true`), outside (`false`), or not known.
@@ -36,29 +36,29 @@ pub struct TreeNode {
     /// The end of the places below: one more than the last.
     end: u32,
     depth: u32,
-    /// Whether its complement is what the parent is made of.
+    /// Whether the parent is made of the complement of the node.
     pub negated: bool,
     /// Whether there is an odd number of complements on the way from the root.
     pub turned: bool,
     /// Whether the node is a difference or an intersection.
     pub cuts: bool,
-    /// The topmost difference or intersection that this is part of, or [`NONE`].
+    /// The topmost difference or intersection that the node is, or of which it is a part; else [`NONE`].
     pub group: u32,
-    /// Whether a point outside of all its shapes is in the node.
+    /// Whether a point outside of all shapes of the node is in the node.
     outside: bool,
-    /// The depth of the lowest place above that comes to the same whatever this one comes to, as long as the
-    /// point is outside of the shapes of all other operands on the way; −1 where there is none.
+    /// The depth of the lowest place above whose value does not depend on this node's, as long as the point is outside
+    /// of all shapes of the other operands on the way; −1 if there is none.
     absorbing_depth: i64,
-    /// The innermost copy of more than a shape that this is part of: its ID, and the depth at which
-    /// it begins.
+    /// The innermost copy of more than a single shape of which the node is a part: the copy's ID, and the depth at
+    /// which it begins.
     copy: Option<(u32, u32)>,
 }
 
 pub struct Tree {
-    /// Parents stand before their children, and what first operands are made of before second ones.
+    /// The nodes. Parents stand before their children, and all parts of a first operand before the second operand.
     pub places: Vec<TreeNode>,
     ancestry: Ancestry,
-    /// The highest node reached from each by way of unions alone.
+    /// For each place, the highest place that is reached by way of unions alone.
     components: Vec<u32>,
     pub leaves: Vec<Leaf>,
 }
@@ -71,7 +71,7 @@ struct Task {
     parent: u32,
     operand: usize,
     copy: Option<(u32, u32)>,
-    /// Whether the task is part of another one that has been paid for.
+    /// Whether the node is part of another one whose cost has been paid.
     paid: bool,
 }
 
@@ -84,7 +84,7 @@ struct Costs {
 }
 
 impl Tree {
-    /// The tree of all that these nodes are made of.
+    /// Builds the tree of these nodes and all their parts.
     pub fn new(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Tree {
         let mut costs = Costs {
             weights: weights(scene),
@@ -125,7 +125,7 @@ impl Tree {
         let here = self.places.len() as u32;
         let above = (task.parent != NONE).then(|| self.places[task.parent as usize]);
         let depth = above.map_or(0, |p| p.depth + 1);
-        // A copy of just a shape: the shape's name is the copy's.
+        // The ID of a copy. If the copy is of a single shape, the shape is known by this ID.
         let mut direct = None;
         let known = loop {
             let weight = costs.weights[task.node as usize];
@@ -212,7 +212,7 @@ impl Tree {
         }
     }
 
-    /// Computes what follows from the places below, and then from those above.
+    /// Computes the values that follow from the places below, and then those that follow from the places above.
     fn finish(&mut self) {
         for i in (0..self.places.len()).rev() {
             let place = self.places[i];
@@ -253,9 +253,10 @@ impl Tree {
         }
     }
 
-    /// The difference or intersection that joins two places of one root, if it is not a union that does.
+    /// The difference or intersection that joins two places. `None` if a union joins them, or they have different
+    /// roots.
     pub fn cut(&self, a: u32, b: u32) -> Option<u32> {
-        // Most of those that are near each other are parts of one union.
+        // Most places that are near each other are parts of one union.
         if self.components[a as usize] == self.components[b as usize] {
             return None;
         }
@@ -263,8 +264,8 @@ impl Tree {
         self.places[join as usize].cuts.then_some(join)
     }
 
-    /// Whether there are nothing but differences and intersections between a place and an operation
-    /// that it is part of, so that no more is left of the operand than of the place.
+    /// Whether only differences and intersections are between a place and an operation of which it is a part, so that
+    /// no more is left of the operand than of the place.
     pub fn only_cuts_between(&self, mut place: u32, operation: u32) -> bool {
         loop {
             place = self.places[place as usize].parent;
@@ -277,13 +278,14 @@ impl Tree {
         }
     }
 
-    /// The copy by whose ID a place is known within an operation that it is part of.
+    /// The ID of the copy by which a place is known within an operation that it is part of. `None` if there is none.
     pub fn copy_within(&self, place: u32, operation: u32) -> Option<u32> {
         let (id, depth) = self.places[place as usize].copy?;
         (depth > self.places[operation as usize].depth).then_some(id)
     }
 
-    /// The value of a place above if this one has the value `x` and everything else there is outside.
+    /// The value of the place `to` above `from` if `from` has the value `x` and the point is outside of all other
+    /// leaves of `to`.
     fn lift(&self, from: u32, to: u32, x: Answer) -> Answer {
         let (from, to) = (&self.places[from as usize], &self.places[to as usize]);
         if from.absorbing_depth >= i64::from(to.depth) {
@@ -292,12 +294,13 @@ impl Tree {
         x.map(|x| x != (from.turned != to.turned))
     }
 
-    /// The value of a place where these places have these values and all other leaves are out. The places stand in
-    /// their order, and none is part of another. Places that are no part of `top` are passed over.
+    /// The value of `top` if the places in `answers` have the values given there and the point is outside of all other
+    /// leaves. The places stand in their order, and none is part of another. Places that are no part of `top` are
+    /// passed over.
     pub fn value(&self, top: u32, answers: &[(u32, Answer)]) -> Answer {
         let end = self.places[top as usize].end;
         let start = answers.partition_point(|a| a.0 < top);
-        // Each with the place where it meets the one below it.
+        // Each entry has the place where it meets the entry below it.
         let mut stack: Vec<(u32, Answer, u32)> = Vec::new();
         for &(place, answer) in answers[start..].iter().take_while(|a| a.0 < end) {
             let mut meet = top;
@@ -314,7 +317,7 @@ impl Tree {
         }
     }
 
-    /// Joins the last entries of the stack as long as they meet below a depth.
+    /// Joins the last entries of the stack as long as they meet deeper than `depth`.
     fn reduce(&self, stack: &mut Vec<(u32, Answer, u32)>, depth: i64) {
         while let [.., one, two] = stack.as_slice() {
             let meet = self.places[two.2 as usize];
@@ -337,8 +340,8 @@ impl Tree {
         }
     }
 
-    /// Whether what a place comes to decides what its root comes to; and what that is without it.
-    /// `None` where it does not decide, or that is not known.
+    /// The value of the root if the place has the value false, provided that the place decides the value of the root.
+    /// `None` if it does not, or this is not known.
     pub fn decides(&self, place: u32, answers: &[(u32, Answer)]) -> Answer {
         let end = self.places[place as usize].end;
         let before = answers.partition_point(|a| a.0 < place);
@@ -355,7 +358,7 @@ impl Tree {
     }
 }
 
-/// How many nodes each node is made of, shared ones counted as often as they occur.
+/// The number of nodes of which each node is made, shared ones counted as often as they occur.
 fn weights(scene: &Scene) -> Vec<u32> {
     fold_up(&scene.nodes, |_, node, out| {
         let children = node.children();
@@ -363,7 +366,7 @@ fn weights(scene: &Scene) -> Vec<u32> {
     })
 }
 
-/// Kleene's "or": true if one is.
+/// Kleene's "or": true if one of the answers is true, not known if that depends on unknown answers.
 pub fn either(a: Answer, b: Answer) -> Answer {
     match (a, b) {
         (Some(true), _) | (_, Some(true)) => Some(true),

@@ -1,9 +1,8 @@
-//! Whether a convex shape holds all of something, with room around it: proofs that rounding cannot
-//! upset.
+//! Proofs that a convex shape holds all of something, with room around it, which rounding cannot upset.
 //!
-//! Room is a small share of a thing's size and place. It is far more than the rounding of a test of a
-//! point, and whatever the matrices are rounded by is checked against it: a point that was taken into
-//! a shape's coordinates must come back to where it was.
+//! The room is a small share of the thing's size and its distance from the origin. It is far more than the rounding of
+//! a test of a point. The rounding of the matrices is checked against the room: a point that was moved into a shape's
+//! coordinates must come back to where it was.
 
 use super::containment::in_shape;
 use super::hull::ball_hull;
@@ -24,22 +23,22 @@ pub fn room(thing: &Aabb) -> f64 {
     CLEARANCE_REL * (thing.radius() + far(&thing.min).max(far(&thing.max)))
 }
 
-/// The largest of a point's coordinates.
+/// The largest absolute value of a point's coordinates.
 pub fn far(p: &Vec3) -> f64 {
     p.iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
-/// A shape where it stands, to be asked what it holds.
+/// A shape in its place, which can be asked what it holds.
 pub struct PlacedShape<'a> {
     geometry: &'a Geometry,
     matrix: Matrix,
-    /// Into the shape's coordinates.
+    /// The map back into the shape's coordinates.
     back: Matrix,
     bounds: Aabb,
 }
 
 impl<'a> PlacedShape<'a> {
-    /// `None` where there is no way back into the shape's coordinates.
+    /// Places a shape. `None` if the matrix has no inverse.
     pub fn new(geometry: &'a Geometry, matrix: Matrix) -> Option<PlacedShape<'a>> {
         Some(PlacedShape {
             geometry,
@@ -49,11 +48,11 @@ impl<'a> PlacedShape<'a> {
         })
     }
 
-    /// Whether the shape is convex and holds all of a thing in a box, with room around it. `shape`: what
-    /// the thing is, where it is one shape, and its matrix.
+    /// Whether the shape is convex and holds all of a thing, with room around it. `thing` is a box around the thing;
+    /// `shape` is the thing itself with its matrix, if it is one shape.
     pub fn holds(&self, thing: &Aabb, shape: Option<(&Geometry, &Matrix)>) -> bool {
         let bounded = thing.is_finite() && !thing.is_empty();
-        // What holds the corners of a box has a box around it that holds the box.
+        // The bounds of a shape that holds the corners of a box hold the box.
         if !bounded || !self.geometry.is_convex() || !self.bounds.holds(thing) {
             return false;
         }
@@ -79,7 +78,7 @@ impl<'a> PlacedShape<'a> {
         (points.iter()).all(|p| self.has(m.point(*p), room + rounding(&m, p)))
     }
 
-    /// Whether the shape holds a point and what is around it.
+    /// Whether the shape holds the corners of a cube around a point.
     fn has(&self, p: Vec3, room: f64) -> bool {
         around(p, room).iter().all(|&p| {
             let local = self.back.point(p);
@@ -92,7 +91,7 @@ impl<'a> PlacedShape<'a> {
         (0..3).all(|i| (again[i] - p[i]).abs() <= room / 2.0)
     }
 
-    /// Whether a point and what is around it is outside of the shape.
+    /// Whether a point and the corners of a cube around it are outside of the shape.
     pub fn is_clear_of(&self, p: Vec3) -> bool {
         let room = CLEARANCE_REL * self.bounds.far().max(far(&p));
         let apart = |i| p[i] + room < self.bounds.min[i] || self.bounds.max[i] + room < p[i];
@@ -115,7 +114,7 @@ fn rounding(m: &Matrix, p: &Vec3) -> f64 {
     ROUNDING * m.0[..3].iter().map(of).fold(0.0, f64::max)
 }
 
-/// A ball, or what it becomes when it is stretched.
+/// A ball that may be stretched to an ellipsoid.
 struct Ball {
     /// The map from the ball of radius 1 at the origin to this one.
     unit: Matrix,
@@ -124,7 +123,7 @@ struct Ball {
 }
 
 impl Ball {
-    /// A ball that holds all of a shape and is hardly larger.
+    /// A ball that holds all of a shape and is hardly larger. `None` for shapes that are no balls.
     fn around(geometry: &Geometry, m: &Matrix) -> Option<Ball> {
         let facts::Ball {
             centre,
@@ -142,7 +141,7 @@ impl Ball {
         Some(Ball { unit, slack })
     }
 
-    /// A ball that a shape holds, and that is hardly smaller.
+    /// A ball that a shape holds, and that is hardly smaller. `None` for shapes that are no balls.
     fn within(geometry: &Geometry, m: &Matrix) -> Option<Ball> {
         let mut ball = Ball::around(geometry, m)?;
         let held = geometry.ball()?.held;
@@ -157,7 +156,7 @@ impl Ball {
         let Some(back) = self.unit.inverse() else {
             return false;
         };
-        // The other one where this one is the ball of radius 1, and what is lost on the way.
+        // The other ball in coordinates in which this one is the ball of radius 1, and the rounding on the way.
         let local = back.after(&inner.unit);
         let again = self.unit.after(&local);
         let lost = |i: usize| -> f64 {
@@ -166,7 +165,7 @@ impl Ball {
         };
         let lost = (0..3).map(lost).fold(0.0, f64::max);
         let entries = |m: &Matrix| -> [f64; 9] { std::array::from_fn(|k| m.0[k / 3][k % 3]) };
-        // In no direction is anything here longer there by more than this factor.
+        // No length grows by more than this factor on the way into those coordinates.
         let factor = entries(&back).iter().map(|x| x * x).sum::<f64>().sqrt();
         let need = 3f64.sqrt() * (room + lost + self.slack + inner.slack) * factor;
         // The longest semi-axis: the square root of the largest eigenvalue of AᵀA, by Gershgorin.

@@ -1,4 +1,4 @@
-//! How far two pictures of one scene are apart, in linear light.
+//! Measures how far two pictures of one scene are apart, in linear light.
 
 use serde::Serialize;
 
@@ -26,14 +26,14 @@ enum Pixel {
     Differing,
 }
 
-/// How two pictures compare.
+/// The outcome of comparing our picture of a scene with that of another program.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     pub pixels: usize,
-    /// Off edges, with total reflection: not compared.
+    /// Number of pixels off edges that are not compared, since they show light that was totally reflected.
     pub total_reflection: usize,
     pub differing: Differing,
-    /// The place of most of the pixels that differ off edges.
+    /// The shape that most of the pixels show that differ off edges.
     pub mostly: Option<Whereabouts>,
     pub difference: Difference,
     /// The mean of the FLIP map of both pictures in sRGB (Andersson et al., "FLIP: A Difference
@@ -48,18 +48,18 @@ pub struct Comparison {
 /// Pixels that differ by more than the bar.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Differing {
-    /// Off edges of any kind.
+    /// Number of pixels off edges of any kind.
     pub off_silhouettes: usize,
-    /// Share of all pixels.
+    /// The pixels off edges of any kind as a share of all pixels.
     pub share_off_silhouettes: f64,
-    /// Number of pixels with another object a hair beside.
+    /// Number of pixels at the edge of an object: another object is seen a hair beside the centre.
     pub on_silhouettes: usize,
-    /// Number of pixels at an edge within one object: of a face, a shadow, a pattern, or of an object that is seen in
-    /// it.
+    /// Number of pixels at an edge within one object: the edge of a face, a shadow or a pattern, or of another object
+    /// that is mirrored in it or seen through it.
     pub on_other_edges: usize,
 }
 
-/// Differences off edges and without total reflection, in linear light, where 1 is white.
+/// Differences of the pixels that are compared, off edges and without total reflection, in linear light: 1 is white.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Difference {
     pub largest: f64,
@@ -67,9 +67,9 @@ pub struct Difference {
 }
 
 impl Comparison {
-    /// Takes our picture, of the size of theirs, and compares; gives our picture, too. `most` is the most
-    /// that a channel of theirs can hold; pixels that differ by more than `bar` differ. `progress` is
-    /// told of every finished row.
+    /// Renders our picture in the size of `theirs` and compares both. Returns the comparison and our picture. Our
+    /// channels are capped at `most`, the largest value that a channel of theirs can hold. Pixels differ if a channel
+    /// differs by more than `bar`. `progress` is called for every finished row.
     ///
     /// # Errors
     ///
@@ -83,7 +83,8 @@ impl Comparison {
     ) -> Result<(Comparison, Film), Error> {
         let differs =
             |i: usize, p: [f32; 3]| distance(p.map(|c| c.min(most)), theirs.pixels[i]) > bar;
-        // Half the bar each way: two pictures that are an edge apart differ by all of it.
+        // An edge counts from a step of half the bar: pictures that show opposite sides of an edge differ by its whole
+        // step.
         let ours = study(tracer, camera, settings, bar / 2.0, differs, progress)?;
         let mut comparison = Comparison::new(&ours, theirs, most, bar);
         let size = (settings.width, settings.height);
@@ -140,14 +141,14 @@ impl Comparison {
         (0..self.map.len()).filter(wrong).collect()
     }
 
-    /// How many pixels are not compared: edges that differ, and total reflection.
+    /// The number of pixels that are not compared: edges that differ, and total reflection.
     pub fn left_out(&self) -> usize {
         self.total_reflection + self.differing.on_silhouettes + self.differing.on_other_edges
     }
 
-    /// The differences as a picture of 8-bit RGB, row by row: green up to the bar, dark where nothing differs, red above it, grey
-    /// for silhouettes that differ, yellow for other edges that do, blue where there is total reflection; all
-    /// the brighter the more they differ.
+    /// Draws the differences in 8-bit RGB, row by row: green up to the bar, dark where nothing differs; red above the
+    /// bar; grey for silhouettes that differ, yellow for other edges that differ, blue for total reflection. Grey,
+    /// yellow and blue are the brighter the more a pixel differs.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |&(pixel, d): &(Pixel, f64)| {
             let shade = (55.0 + 200.0 * (d / self.bar).min(1.0)) as u8;
@@ -163,7 +164,7 @@ impl Comparison {
     }
 }
 
-/// The colour of a pixel that differs by so much of what is allowed: dark green where it does not differ at all.
+/// The colour of a pixel whose difference is this share of what is allowed: dark green for 0, [`ALIKE`] from 1 on.
 pub fn alike(share: f64) -> [u8; 3] {
     const DARKEST_GREEN: f64 = 55.0;
     [
@@ -173,10 +174,10 @@ pub fn alike(share: f64) -> [u8; 3] {
     ]
 }
 
-/// The colour of a pixel that differs by all that is allowed.
+/// The colour of a pixel whose difference is just what is allowed.
 pub const ALIKE: [u8; 3] = [0, 200, 0];
 
-/// The meanings of the colours of [`Comparison::picture`], as messages.
+/// The colours of [`Comparison::picture`], each with the message that explains it.
 pub const LEGEND: [([u8; 3], &str); 5] = [
     (ALIKE, "crosscheck-legend-alike"),
     ([255, 0, 0], "crosscheck-legend-differing"),

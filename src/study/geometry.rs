@@ -1,4 +1,4 @@
-//! Surfaces of a scene as two programs see them: position, normal and shape, pixel by pixel.
+//! Compares the surfaces that two programs see of a scene: position, normal and shape, pixel by pixel.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -22,19 +22,19 @@ use crate::translate::mitsuba::{Output, ShapeInfo};
 #[derive(Debug, Clone, Copy)]
 pub struct VisiblePoint {
     pub point: Vec3,
-    /// The shading normal, unit: out of a solid, also where another one was taken away from it.
+    /// The shading normal, of unit length. It points out of the solid, also on a face that a cut has made.
     pub normal: Vec3,
-    /// Whether the point bounds a solid. The normal of a surface without an inside points to either side.
+    /// Whether the surface bounds a solid. The normal of a surface without an inside may point to either side.
     pub is_of_solid: bool,
     pub distance: f64,
-    /// The shape, by the number that [`crate::trace::Crossing`] has.
+    /// The shape's number, as [`crate::trace::Crossing`] has it.
     pub shape: u32,
     pub object: u32,
 }
 
 impl VisiblePoint {
-    /// The cosine between the normal and another one of the same surface: that of the lesser angle where there is no
-    /// inside.
+    /// The cosine of the angle between this normal and `normal`. On a surface without an inside the two may point to
+    /// opposite sides: there, the cosine of the smaller angle.
     fn cosine(&self, normal: Vec3) -> f64 {
         let cosine = dot(normal, self.normal);
         match self.is_of_solid {
@@ -44,7 +44,7 @@ impl VisiblePoint {
     }
 }
 
-/// The points that our tracer sees, row by row.
+/// The point that our tracer sees first through the centre of each pixel, row by row; `None` where it sees nothing.
 pub fn seen(
     tracer: &Tracer,
     camera: &Camera,
@@ -78,31 +78,32 @@ pub fn seen(
     rows.concat()
 }
 
-/// Positions may differ by so much of the scene's size on exact shapes.
+/// The share of the scene's size by which positions on exact shapes may differ.
 const EXACT: f64 = 1e-4;
-/// Distance in sizes of the scene from which on positions are rounded more. Together they are 28 units of single
-/// precision (2^-23): a place is transformed, met and transformed back, some operations each way.
+/// The distance, in sizes of the scene, beyond which positions may differ by a share of the distance instead. This
+/// share, `EXACT / FAR_SIZES`, is 28 units of single precision (2^-23): a point is transformed, met and transformed
+/// back, with some operations each way.
 const FAR_SIZES: f64 = 30.0;
-/// Part of the way to where shapes without end are cut off beyond which nothing is compared: a neighbouring pixel may
-/// show what is cut off.
+/// The share of the distance at which endless shapes are cut off beyond which nothing is compared: a neighbouring pixel
+/// may show the cut.
 const HORIZON: f64 = 0.9;
-/// Surfaces are in one place when they are nearer to each other than this share of the largest coordinate:
-/// roundings of doubles on the way through some matrices.
+/// Two surfaces are in one place if their distance is below this share of the largest coordinate: doubles are rounded
+/// on the way through some matrices.
 const IN_ONE_PLACE: f64 = 64.0 * f64::EPSILON;
-/// Part of the largest coordinate by which single precision may mistake a place, after a few operations.
+/// The share of the largest coordinate by which single precision may misplace a point, after a few operations.
 const ROUNDED: f64 = 4.0 * f32::EPSILON as f64;
 
-/// The cosine of the angle by which the normals of neighbouring pixels differ where a surface is folded, 25.8°.
-/// The normals of a mesh may differ from ours by as much.
+/// The cosine of 25.8°. A surface counts as folded where the normals of neighbouring pixels differ by more. The normals
+/// of a mesh may differ from ours by as much.
 const FOLDED: f64 = 0.9;
-/// The sine of the angle by which normals may differ on exact shapes, more on what is far: 0.17°, some roundings
-/// of its cosine in single precision.
+/// The sine of 0.17°, the angle by which normals may differ on exact shapes: some roundings of its cosine in single
+/// precision. Far away they may differ by more.
 const TURNED: f64 = 3e-3;
 
-/// Distance of a mesh's folds from ours, in pixels, at most.
+/// The largest distance in pixels between a fold of a mesh and the same fold of our surface.
 const FOLD_DISTANCE_PIXELS: usize = 2;
 
-/// How two sights compare.
+/// The outcome of comparing what Mitsuba sees with what our tracer sees.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     pub pixels: usize,
@@ -116,13 +117,14 @@ pub struct Comparison {
     /// Number of pixels that are not compared, since the surfaces of two shapes are in one place, and Mitsuba shows the
     /// other one.
     pub in_one_place: usize,
-    /// The pairs of shapes that these pixels show, those of the most pixels first.
+    /// The pairs of shapes whose surfaces are in one place, the pair of the most pixels first.
     pub shared: Vec<Shared>,
-    /// Number of pixels with another shape, or another place or normal than allowed.
+    /// Number of pixels where Mitsuba shows another shape than our tracer, or a position or normal outside of the
+    /// bounds.
     pub wrong: usize,
-    /// Share of all pixels.
+    /// The wrong pixels as a share of all pixels.
     pub share_wrong: f64,
-    /// The place of most of these pixels.
+    /// The shape that most of the wrong pixels show.
     pub mostly: Option<Whereabouts>,
     pub exact: Differences,
     pub meshes: Differences,
@@ -130,21 +132,21 @@ pub struct Comparison {
     map: Vec<Pixel>,
 }
 
-/// Surfaces in one place.
+/// Two shapes with surfaces in one place, where the programs show different ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Shared {
-    /// The IDs of the shapes: ours and theirs.
+    /// The IDs of the shape that our tracer shows and of the shape that Mitsuba shows.
     pub shapes: [u32; 2],
     pub pixels: usize,
 }
 
-/// The largest differences on shapes of a kind.
+/// The largest differences on one kind of shapes, exact ones or meshes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Differences {
     pub pixels: usize,
-    /// Distance across our surface, in units of the scene.
+    /// Distance of Mitsuba's point from the tangent plane of our surface, in units of the scene.
     pub distance: f64,
-    /// The same as a part of what is allowed.
+    /// The distance divided by the distance that is allowed at its pixel.
     pub distance_by_allowed: f64,
     /// Angle between the shading normals, in degrees.
     pub angle: f64,
@@ -155,24 +157,25 @@ enum Pixel {
     Silhouette,
     CutOff,
     Undecided,
-    /// Surfaces in one place, of these two shapes, ours and theirs.
+    /// A pixel where the surfaces of two shapes are in one place: our tracer shows the first, Mitsuba the second.
     InOnePlace([u32; 2]),
     Wrong,
     Right {
         /// Whether Mitsuba has the shape itself, not a mesh of it.
         exact: bool,
-        /// Distance across our surface, in units of the scene.
+        /// Distance of Mitsuba's point from the tangent plane of our surface, in units of the scene.
         distance: f64,
         /// The distance that is allowed.
         allowed: f64,
         /// Angle between the shading normals, in degrees.
         angle: f64,
     },
-    /// A pixel where neither shows a surface.
+    /// A pixel where neither program shows a surface.
     Empty,
 }
 
-/// Compares what Mitsuba has written with what we see; `None` where it is of another size.
+/// Compares Mitsuba's channels of all pixels, `theirs`, with the points that our tracer sees. `None` if the pictures
+/// have different sizes.
 pub fn compare(
     tracer: &Tracer,
     camera: &Camera,
@@ -274,17 +277,18 @@ struct Sight<'a> {
     theirs: &'a [f32],
     width: usize,
     translation: &'a Output,
-    /// The shapes of objects that the translation has, and whether all of each are exact.
+    /// For each pair of shape and object in the translation: whether Mitsuba has all its occurrences exactly, none as a
+    /// mesh.
     exact: FxHashMap<(u32, u32), bool>,
     size: f64,
-    /// Distance by which single precision may mistake a place.
+    /// Distance by which single precision may misplace a point, in units of the scene.
     rounded: f64,
-    /// How near to each other surfaces are in one place.
+    /// Distance up to which two surfaces count as in one place, in units of the scene.
     in_one_place: f64,
 }
 
 impl Sight<'_> {
-    /// The point, normal and shape of theirs that is seen in a pixel.
+    /// The point, normal and shape that Mitsuba shows in pixel `i`; no shape where it shows nothing.
     fn other(&self, i: usize) -> (Vec3, Vec3, Option<&ShapeInfo>) {
         let c = &self.theirs[CHANNELS * i..][..CHANNELS];
         let vector = |first: usize| std::array::from_fn(|k| f64::from(c[first + k]));
@@ -317,7 +321,7 @@ impl Sight<'_> {
             return self.unlike(i, point, Some(info), walkers);
         }
         let cosine = here.cosine(normal);
-        // Rounded as places are.
+        // The bound grows with the distance, like the bound on positions.
         let sine = TURNED * f64::max(1.0, here.distance / (FAR_SIZES * self.size));
         // Where roundings turn a normal by more than a right angle, it may point anywhere.
         let exact = match sine < 1.0 {
@@ -325,7 +329,7 @@ impl Sight<'_> {
             false => -1.0,
         };
         if cosine < if info.exact { exact } else { exact.min(FOLDED) } {
-            // A mesh has its folds within the tolerance of where they are.
+            // A fold of a mesh may lie beside the fold of the shape, by up to the tolerance.
             return match !info.exact && self.is_near(i, &here, normal) {
                 true => Pixel::Silhouette,
                 false => Pixel::Wrong,
@@ -339,7 +343,7 @@ impl Sight<'_> {
         }
     }
 
-    /// The class of a pixel that shows something else.
+    /// Classifies a pixel in which the two programs show different things.
     fn unlike(
         &self,
         i: usize,
@@ -373,7 +377,7 @@ impl Sight<'_> {
         }
     }
 
-    /// How far their place may be from ours.
+    /// The allowed distance of Mitsuba's point from our tangent plane, for a point at `distance` from the camera.
     fn allowed(&self, distance: f64, info: &ShapeInfo) -> f64 {
         let rounding = EXACT * self.size.max(distance / FAR_SIZES);
         match info.exact {
@@ -382,14 +386,14 @@ impl Sight<'_> {
         }
     }
 
-    /// The ray through the middle of a pixel.
+    /// The ray through the centre of pixel `i`.
     fn ray(&self, i: usize) -> Option<Ray> {
         let (x, y) = (i % self.width, i / self.width);
         (self.view.as_ref()?).ray(x as f64 + 0.5, y as f64 + 0.5)
     }
 
-    /// Whether the surface that they show, whatever operations leave of it, is no farther from the one
-    /// that we see.
+    /// Whether the ray meets the surface that Mitsuba shows no farther than `gap` from the surface that we see.
+    /// Operations may have removed Mitsuba's surface there.
     fn is_within(
         &self,
         gap: f64,
@@ -411,8 +415,8 @@ impl Sight<'_> {
         })
     }
 
-    /// Whether we see what they show from a place that single precision does not tell from the ray's
-    /// origin, or behind what we see and as near to it.
+    /// Whether our tracer sees what Mitsuba shows from another origin that single precision cannot tell from the ray's,
+    /// or behind our first surface at a distance that single precision cannot tell from its distance.
     fn is_nearly_seen(
         &self,
         ray: &Ray,
@@ -452,7 +456,8 @@ impl Sight<'_> {
         aside || sees([0.0; 3], true)
     }
 
-    /// Parts without end are cut off somewhere, meshes at the region's end.
+    /// Whether the translation may cut the surface off here: endless shapes near their cut, meshes outside of the
+    /// region.
     fn is_cut_off(&self, seen: VisiblePoint) -> bool {
         let Output { extent, reach, .. } = self.translation;
         let exact = self.exact.get(&(seen.shape, seen.object));
@@ -461,7 +466,7 @@ impl Sight<'_> {
             || !extent.cut.contains(seen.point) && exact != Some(&true)
     }
 
-    /// Whether a pixel not far from one shows a face of the same shape with such a normal.
+    /// Whether a pixel near pixel `i` shows the same shape with a normal close to `normal`.
     fn is_near(&self, i: usize, here: &VisiblePoint, normal: Vec3) -> bool {
         self.around(i, FOLD_DISTANCE_PIXELS).any(|j| {
             self.ours[j].is_some_and(|seen| {
@@ -471,7 +476,7 @@ impl Sight<'_> {
         })
     }
 
-    /// The pixels at most so many columns and rows from one, and itself.
+    /// Pixel `i` and the pixels at most `by` columns and rows from it.
     fn around(&self, i: usize, by: usize) -> impl Iterator<Item = usize> {
         let (x, y) = (i % self.width, i / self.width);
         let height = self.ours.len() / self.width;
@@ -481,7 +486,7 @@ impl Sight<'_> {
         rows.flat_map(move |y| columns.clone().map(move |x| y * width + x))
     }
 
-    /// Whether all pixels around show the same face, and not a fold of it.
+    /// Whether pixel `i` and its neighbours all show one face without a fold, or all show nothing.
     fn is_smooth(&self, i: usize) -> bool {
         self.around(i, 1)
             .all(|j| match (self.ours[i], self.ours[j]) {
@@ -500,19 +505,20 @@ impl Sight<'_> {
 }
 
 impl Comparison {
-    /// How many pixels are not compared.
+    /// The number of pixels that are not compared.
     pub fn left_out(&self) -> usize {
         self.silhouettes + self.cut_off + self.undecided + self.in_one_place
     }
 
-    /// Whether there is an answer: no more is left out than is shown to be right.
+    /// Whether the comparison is conclusive: apart from silhouettes, no more pixels are left out than are right.
     pub fn tells(&self) -> bool {
         let right = self.exact.pixels + self.meshes.pixels;
         self.cut_off + self.undecided + self.in_one_place <= right
     }
 
-    /// The picture of the comparison in 8-bit RGB, row by row: green up to the error that is allowed, red where it is
-    /// wrong, blue where single precision or nothing decides or something is cut off, grey for silhouettes.
+    /// Draws the comparison in 8-bit RGB, row by row. Right pixels are green, the brighter the larger their error;
+    /// wrong ones red; silhouettes grey. Blue pixels are left out: something is cut off, single precision does not
+    /// decide, or surfaces are in one place.
     pub fn picture(&self) -> Vec<u8> {
         let colour = |pixel: &Pixel| match *pixel {
             Pixel::Silhouette => SILHOUETTE,
@@ -531,7 +537,7 @@ const SILHOUETTE: [u8; 3] = [60; 3];
 const LEFT_OUT: [u8; 3] = [0, 90, 255];
 const WRONG: [u8; 3] = [255, 0, 0];
 
-/// The meanings of the colours of [`Comparison::picture`], as messages.
+/// The colours of [`Comparison::picture`], each with the message that explains it.
 pub const LEGEND: [([u8; 3], &str); 4] = [
     (ALIKE, "crosscheck-legend-alike"),
     (WRONG, "crosscheck-legend-differing"),
@@ -539,13 +545,13 @@ pub const LEGEND: [([u8; 3], &str); 4] = [
     (LEFT_OUT, "crosscheck-legend-left-out"),
 ];
 
-/// Our normals as colours, as 8-bit RGB: each coordinate from −1 to 1.
+/// Draws our normals in 8-bit RGB: each coordinate from −1 to 1 becomes a channel. Black where nothing is seen.
 pub fn our_normals(seen: &[Option<VisiblePoint>]) -> Vec<u8> {
     let colour = |s: &Option<VisiblePoint>| s.map_or([0; 3], |s| s.normal.map(shade));
     seen.iter().flat_map(colour).collect()
 }
 
-/// Theirs. Where we see a surface without an inside, theirs is shown on the side that ours points to.
+/// Draws Mitsuba's normals like [`our_normals`]. On a surface without an inside they are turned to the side of ours.
 pub fn their_normals(seen: &[Option<VisiblePoint>], theirs: &[f32]) -> Vec<u8> {
     let colour = |(here, c): (&Option<VisiblePoint>, &[f32])| {
         if c[6] <= 0.0 {

@@ -1,4 +1,4 @@
-//! The surfaces that the real Mitsuba sees of a translation, through the middle of each pixel.
+//! The surfaces of a translation that the real Mitsuba sees through the centres of pixels.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use super::program::{Program, ProgramError, run};
 use crate::translate::mitsuba::Output;
 
-/// The Python that is asked for the package `mitsuba`.
+/// The name of the Python program, which has to have the package `mitsuba`.
 pub const PROGRAM: &str = "python3";
 
 /// Loads a document, renders it and writes all channels as numbers of four bytes.
@@ -19,13 +19,13 @@ scene = mitsuba.load_file(sys.argv[1], optimize=False)
 numpy.array(mitsuba.render(scene, spp=int(sys.argv[3]))).astype('<f4').tofile(sys.argv[2])
 ";
 
-/// Channels of a pixel of a translation with [`Integrator::Aov`]: position, shading normal, index of the shape.
+/// The number of channels of a pixel that [`Integrator::Aov`] writes: position, shading normal, index of the shape.
 ///
 /// [`Integrator::Aov`]: crate::translate::mitsuba::Integrator::Aov
 pub const CHANNELS: usize = 7;
 
-/// Has a document of a translation rendered, with so many samples a pixel, 0 for as many as it says:
-/// the channels of all pixels, row by row. Document, meshes and numbers are left in `folder`.
+/// Renders a document of a translation with Mitsuba and returns the channels of all pixels, row by row. Each pixel gets
+/// `samples` samples, or with 0 as many as the document says. Document, meshes and numbers stay in `folder`.
 ///
 /// # Errors
 ///
@@ -48,7 +48,7 @@ pub fn render(
     }
     let (file, numbers) = (format!("{name}.xml"), format!("{name}.bin"));
     fs::write(folder.join(&file), &made.documents[document].1)?;
-    // What another run has left is no answer.
+    // Numbers that an earlier run has left must not count as the answer.
     let _ = fs::remove_file(folder.join(&numbers));
     let samples = samples.to_string();
     run(python, folder, &["-c", SCRIPT, &file, &numbers, &samples])?;

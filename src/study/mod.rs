@@ -1,11 +1,11 @@
-//! Scenes under study: what we see of a scene beside what others do, and what that costs.
+//! Scenes under study: how our picture of a scene compares with those of other programs, and what accuracy costs.
 //!
-//! [`povray`] has the real POV-Ray take the picture of a translation; [`silhouette`] finds the pixels
-//! whose value is up to rounding; [`compare`] says how far two pictures are apart, and shows it.
-//! [`mitsuba`] asks the real Mitsuba where it sees surfaces, and [`geometry`] compares that.
-//! [`accuracy`] says what accuracy costs in time. [`naive`] is a ray tracer as textbooks have it, in numbers
-//! of any kind; [`plain`] is the same over the hierarchy of the tracer. [`page`] is what pages of HTML have in common.
-//! [`whereabouts`] says where most of what differs is.
+//! [`povray`] runs the real POV-Ray on a translation; [`silhouette`] finds the pixels whose value depends on rounding;
+//! [`compare`] measures how far two pictures are apart, and draws the differences. [`mitsuba`] asks the real Mitsuba
+//! where it sees surfaces, and [`geometry`] compares these surfaces with ours. [`accuracy`] measures what accuracy
+//! costs in time. [`naive`] is a textbook's ray tracer, in numbers of any kind; [`plain`] is a similar one over the
+//! hierarchy of the tracer. [`page`] has the parts that all HTML pages share. [`whereabouts`] finds the shape that most
+//! of the differing pixels show. [`program`] runs other programs.
 
 pub mod accuracy;
 pub mod compare;

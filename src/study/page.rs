@@ -1,4 +1,4 @@
-//! HTML pages: each is one file that needs nothing else, without scripts, for light, dark and print.
+//! Parts of HTML pages. Each page is one file that needs no other file and no scripts, for light, dark and print.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use crate::diagnostics::Language;
 use crate::trace::film::{Packing, write_rgb8};
 
-/// Colours as variables, for light, dark and print: Okabe and Ito's, darker or lighter where they are text.
+/// Colours as CSS variables, for light, dark and print: Okabe and Ito's palette, darker or lighter where text uses it.
 pub const VARIABLES: &str = "\
 :root{--bg:#fff;--fg:#1b1f24;--mut:#5b6470;--line:#d7dce2;--card:#f5f7f9;--acc:#0072b2;--c1:#0072b2;--c2:#d55e00;\
 --c3:#00795a;--c4:#a8578a;--c5:#0072b2;--c6:#7a5c00;--goal:#b00020;--floor:#e4e0d2;--bar:#7fb2d6}
@@ -19,14 +19,14 @@ pub const VARIABLES: &str = "\
 --c3:#00795a;--c4:#a8578a;--c5:#0072b2;--c6:#7a5c00;--goal:#b00020;--floor:#eee;--bar:#9cc3df}}
 ";
 
-/// The style of the parts that all pages have.
+/// The style that all pages share.
 const STYLE: &str = "\
 *{box-sizing:border-box;min-width:0}
 body{margin:0;background:var(--bg);color:var(--fg);font:15px/1.5 system-ui,'DejaVu Sans',sans-serif}
 .mut{color:var(--mut)}.small{font-size:13px}
 ";
 
-/// The beginning of a page, up to what stands in its body. The title is escaped already.
+/// The beginning of a page, up to where its content starts. `title` is escaped already; `style` is CSS of this page.
 pub fn head(language: Language, title: &str, style: &str) -> String {
     let tag = language.tag();
     format!(
@@ -36,13 +36,13 @@ pub fn head(language: Language, title: &str, style: &str) -> String {
     )
 }
 
-/// Text that is part of XML.
+/// Escapes text for XML.
 pub fn escaped(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;");
     text.replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// `--depth 16` in backquotes as code.
+/// Escapes text for HTML; parts in backquotes, as `--depth 16`, become `<code>`.
 pub fn prose(text: &str) -> String {
     let mut out = String::new();
     for (i, part) in text.split('`').enumerate() {
@@ -56,7 +56,7 @@ pub fn prose(text: &str) -> String {
     out
 }
 
-/// A PNG as a `data:` address.
+/// A picture of 8-bit RGB, row by row, as a `data:` address of a PNG.
 pub fn address(width: u32, height: u32, rgb: &[u8]) -> String {
     let mut bytes = Vec::new();
     // Writing to memory cannot fail.

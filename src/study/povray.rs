@@ -11,8 +11,8 @@ use crate::translate::pov::Translation;
 /// The name of the program.
 pub const PROGRAM: &str = "povray";
 
-/// Has a file of a translation rendered, in all its passes. The scene and the picture of each pass
-/// are left in `folder`, under `name`.
+/// Renders file number `file` of a translation with POV-Ray, in all its passes, and returns the picture. The scene and
+/// the picture of each pass stay in `folder`, under `name`.
 ///
 /// # Errors
 ///
@@ -38,7 +38,7 @@ pub fn render(
         arguments.extend(["-A", "-D", "+FN16", "File_Gamma=1.0"].map(str::to_owned));
         arguments.push(format!("Declare=Light_Scale={}", translation.light_scale));
         arguments.extend(pass.map(|c| format!("Declare=Channel={c}")));
-        // What another run has left is no answer.
+        // A picture that an earlier run has left must not count as the answer.
         let _ = fs::remove_file(folder.join(picture));
         run(program, folder, &arguments)?;
         read(&folder.join(picture), size, translation.light_scale)
@@ -56,7 +56,7 @@ pub fn render(
     Ok(film)
 }
 
-/// Reads a linear PNG of 16 bits whose values are scaled.
+/// Reads a linear PNG of 16 bits, and divides its values by `scale`.
 fn read(path: &Path, size: (u32, u32), scale: f64) -> Result<Film, ProgramError> {
     let unexpected = |_| ProgramError::Unexpected("its picture cannot be read");
     let none = |_| ProgramError::Unexpected("it has written no picture");

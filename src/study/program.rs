@@ -14,12 +14,12 @@ use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 #[derive(Debug, Clone)]
 pub struct Program {
     pub path: PathBuf,
-    /// How long a run of it may take, if that matters.
+    /// The time that a run may take; `None` for no limit.
     pub limit: Option<Duration>,
 }
 
 impl Program {
-    /// A program that may take as long as it does.
+    /// Makes a program without a limit of time.
     pub fn new(path: impl Into<PathBuf>) -> Program {
         Program {
             path: path.into(),
@@ -37,11 +37,11 @@ pub enum ProgramError {
     Start(io::Error),
     /// The program's files cannot be written or read.
     Io(io::Error),
-    /// The program has failed; the end of what it says.
+    /// The program has failed. The text has its last lines, or its exit status if it has written nothing.
     Failed(String),
-    /// The program has taken longer than this, and was ended.
+    /// The program was ended, since it has taken longer than this limit.
     Late(Duration),
-    /// The program's output is not what it was asked for.
+    /// The program's output is not what was asked for; the text says why.
     Unexpected(&'static str),
 }
 
@@ -51,25 +51,26 @@ impl From<io::Error> for ProgramError {
     }
 }
 
-/// How many of a program's last lines are told.
+/// The number of a failed program's last lines that [`ProgramError::Failed`] quotes.
 const LINES: usize = 12;
 
-/// Held while a program is started. Whoever ends this process keeps it, so that none is started any more, and that of
-/// those which have been ended nothing is said.
+/// A lock that is held while a program is started. [`exit`] takes the lock and keeps it until this process ends: no
+/// further program starts, and no program that it ends is reported as failed.
 static STARTING: Mutex<()> = Mutex::new(());
 
 fn starting() -> MutexGuard<'static, ()> {
     STARTING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends this process with a status, and all programs that it runs.
+/// Ends all programs that this process runs, then this process with a status.
 pub fn exit(status: u8) -> ! {
     let _last = starting();
     end_those_of(std::process::id());
     std::process::exit(status.into())
 }
 
-/// Ends the programs that a process has started, and those that they have; not the process itself.
+/// Ends all descendants of a process: the programs that it has started, and those that they have started. The process
+/// itself goes on.
 pub fn end_those_of(process: u32) {
     let system = processes();
     for (&pid, program) in system.processes() {
@@ -79,10 +80,10 @@ pub fn end_those_of(process: u32) {
     }
 }
 
-/// Ends a program, and those that it has started.
+/// Ends a program and all its descendants.
 fn end(child: &mut Child) {
     let system = processes();
-    // First of all itself, so that it starts no others. What it has started is known by then.
+    // The program itself is killed first, so that it starts no others. The list of its descendants is made already.
     let _ = child.kill();
     for (&pid, program) in system.processes() {
         if is_of(&system, pid, child.id()) {
@@ -93,17 +94,18 @@ fn end(child: &mut Child) {
 
 fn processes() -> System {
     let mut system = System::new();
-    // Threads would be processes to the library, whose parent is their own.
+    // Threads are left out: the library would list them as processes, whose parent is their own process.
     let what = ProcessRefreshKind::nothing().without_tasks();
     system.refresh_processes_specifics(ProcessesToUpdate::All, true, what);
     system
 }
 
-/// Whether a process has started another one, or one that has.
+/// Whether `pid` is a descendant of `process`: started by it, or by one of its descendants.
 fn is_of(system: &System, pid: Pid, process: u32) -> bool {
     let top = Pid::from_u32(process);
     let parent = |pid: Pid| system.process(pid).and_then(|p| p.parent());
-    // A process cannot have more ancestors than there are processes: numbers are used again.
+    // Numbers of ended processes are used again, so that parents may form a circle. No process has more ancestors than
+    // there are processes.
     let ancestors = std::iter::successors(parent(pid), |&pid| parent(pid));
     let mut ancestors = ancestors.take(system.processes().len());
     pid != top && ancestors.any(|pid| pid == top)
@@ -142,7 +144,7 @@ pub(super) fn run<S: AsRef<OsStr>>(
     Err(ProgramError::Failed(lines[last..].join("\n")))
 }
 
-/// How often is looked whether a program has ended.
+/// The time between two looks at whether a program has ended.
 const LOOK: Duration = Duration::from_millis(10);
 
 /// Waits for the end of a program, or ends the program when its time is over.
@@ -153,7 +155,7 @@ fn wait(mut child: Child, limit: Option<Duration>) -> Result<Output, ProgramErro
     let start = Instant::now();
     let (stdout, stderr) = (child.stdout.take(), child.stderr.take());
     thread::scope(|scope| {
-        // It would wait for somebody to read what it says.
+        // Both pipes are read meanwhile, since a program waits while its pipe is full.
         let stdout = scope.spawn(|| all_of(stdout));
         let stderr = scope.spawn(|| all_of(stderr));
         let status = loop {

@@ -1,5 +1,5 @@
-//! Pixels that an edge goes through: of an object, or of a face, a shadow, a pattern, or of any of these seen
-//! in mirrors and glass. What a single sample there shows is up to rounding.
+//! Finds the pixels that an edge goes through: the edge of an object, a face, a shadow or a pattern, seen directly or
+//! in mirrors and glass. On which side of the edge a single sample falls depends on rounding.
 
 use std::f64::consts::TAU;
 
@@ -10,39 +10,39 @@ use crate::scene::Camera;
 use crate::trace::camera::View;
 use crate::trace::{Picture, Settings, Tracer, Walkers};
 
-/// Distance of an edge that counts from a sample, in pixels: far more than programs differ in where they send their
-/// rays, and too little to make many pixels uncertain.
+/// The distance in pixels between a sample and an edge up to which the edge counts: far more than programs differ in
+/// where they send their rays, and too little to make many pixels uncertain.
 const EDGE_DISTANCE_PIXELS: f64 = 0.03;
 
-/// Samples of the ring around the middle of a pixel that are taken first.
+/// The number of samples on the ring around a pixel's centre that are taken first.
 const FIRST_RING_SAMPLES: usize = 4;
-/// All samples of the ring, where an edge is to be told from noise: of rings of two colours at random, 94 of 100 go up
-/// and down more often than an edge and another one that crosses it make them.
+/// The number of samples on the whole ring, which tell an edge from noise. Of rings whose samples have one of two
+/// colours at random, 94 of 100 go up and down more often than two crossing edges do.
 const RING: usize = 16;
 
-/// The edge through the middle of a pixel.
+/// The kind of an edge through the centre of a pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Edge {
-    /// An edge beside which other objects, or none, are seen first.
+    /// On one side another object, or none, is seen first.
     Silhouette,
-    /// The same object is seen all around, and another colour on one side.
+    /// The same object is seen on both sides, with different colours.
     Other,
 }
 
-/// A picture and what is uncertain in it.
+/// A picture, and the pixels whose value depends on rounding.
 pub struct Studied {
     pub picture: Picture,
-    /// For each pixel, row by row, if it was in question: the edge through its middle.
+    /// For each pixel, row by row: the edge through its centre. `None` without an edge, and for pixels not in question.
     pub edges: Vec<Option<Edge>>,
-    /// For each pixel: some of the light it shows was totally reflected; or of what it shows a hair
-    /// beside it, if it was in question.
+    /// For each pixel: whether some of the light that it shows was totally reflected. For a pixel in question, the
+    /// light on the ring around its centre counts, too.
     pub total_reflection: Vec<bool>,
 }
 
-/// Takes a picture, and of the pixels that are in question a ring of more, moved by a hair. An edge is where these
-/// differ by more than `bar` in a channel, in linear light: by one colour on one side and another one on the other.
-/// Where any colour is anywhere on the ring, a program shows noise, and that is no edge. `in_question` is asked about
-/// the number and the colour of each pixel, `progress` is told of every row of the whole picture.
+/// Renders a picture, and for each pixel in question a ring of samples around its centre. The pixel has an edge if the
+/// ring differs by more than `bar` in a channel, in linear light, with one colour on one side and another colour on the
+/// other. A ring whose colours alternate more often is noise, and no edge. `in_question` gets the number and the colour
+/// of each pixel. `progress` is called for every finished row of the whole picture.
 ///
 /// # Errors
 ///
@@ -76,7 +76,7 @@ pub fn study(
             total_reflection[i] |= moved.total_reflection[i];
         }
     }
-    // Most of what is in question shows no edge to these.
+    // Most pixels in question show no edge to the first samples. Only the others get a whole ring.
     asked = changes;
     let which: Vec<usize> = (0..pixels.len()).filter(|&i| asked[i]).collect();
     let mut rings = vec![Ring::default(); which.len()];
@@ -101,8 +101,8 @@ pub fn study(
     })
 }
 
-/// The place of a sample of a ring of so many, from the middle of the pixel. The first one lies askew, as do most edges
-/// that follow the rows and columns.
+/// The place of sample `k` on a ring of `of` samples, in pixels from the pixel's centre. The ring is turned by half a
+/// step: most edges follow rows and columns, and no sample shall lie on such an edge through the centre.
 fn place(k: usize, of: usize) -> [f64; 2] {
     let angle = TAU * (k as f64 + 0.5) / of as f64;
     [
@@ -111,7 +111,7 @@ fn place(k: usize, of: usize) -> [f64; 2] {
     ]
 }
 
-/// Whether other objects are seen first on the ring around a pixel than at its middle, for each of these pixels.
+/// For each of `pixels`: whether the ring around its centre sees another object or shape first than the centre does.
 fn objects(tracer: &Tracer, camera: &Camera, settings: &Settings, pixels: &[usize]) -> Vec<bool> {
     let Some(view) = View::new(camera, settings.width, settings.height) else {
         return vec![false; pixels.len()];
@@ -130,14 +130,14 @@ fn objects(tracer: &Tracer, camera: &Camera, settings: &Settings, pixels: &[usiz
     })
 }
 
-/// The values that a walk once around a ring passes.
+/// The colours met on a walk once around a ring: the first, the last, and the extremes of each channel.
 #[derive(Debug, Clone, Copy, Default)]
 struct Ring {
     first: Option<[f32; 3]>,
     last: [f32; 3],
     least: [f32; 3],
     most: [f32; 3],
-    /// Length of all ways up and down along the ring, per channel.
+    /// For each channel, the sum of all steps up and down along the ring.
     way: [f32; 3],
 }
 
@@ -160,8 +160,8 @@ impl Ring {
         self.last = colour;
     }
 
-    /// Whether the walk goes up and down once, as over an edge, or twice, as where two of them cross, but for less than
-    /// `bar`.
+    /// Whether the colours go up and down once, as at one edge, or twice, as where two edges cross. Further steps do
+    /// not count while their sum is at most `bar`.
     fn is_edge(&self, bar: f64) -> bool {
         let first = self.first.unwrap_or_default();
         (0..3).all(|c| {

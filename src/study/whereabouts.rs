@@ -10,21 +10,22 @@ use crate::scene::Camera;
 use crate::trace::camera::View;
 use crate::trace::{Tracer, Walkers};
 
-/// The place of the shape that most of the pixels show.
+/// The shape that most of the differing pixels show, and the rows and columns where they are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Whereabouts {
     /// The shape's ID, or `None` where nothing is seen.
     pub shape: Option<u32>,
     /// The number of pixels that show the shape.
     pub pixels: usize,
-    /// The first and the last row of these, counted from 0 at the top.
+    /// The first and the last row of these pixels, counted from 0 at the top.
     pub rows: [usize; 2],
     /// The first and the last column, counted from 0 at the left.
     pub columns: [usize; 2],
 }
 
 impl Whereabouts {
-    /// Looks for what is seen first in these pixels of a picture; `None` if there are no pixels.
+    /// Finds the shape that is seen first in most of `pixels`, which are numbered row by row. `None` if there are no
+    /// pixels, or if the camera takes no picture.
     pub fn of(
         tracer: &Tracer,
         camera: &Camera,
@@ -44,7 +45,7 @@ impl Whereabouts {
     }
 }
 
-/// The shape of the most pixels; of several such ones that of the lowest ID.
+/// Finds the shape of the most pixels; among equals, the one with the lowest ID. Each pixel comes with its shape.
 fn most(pixels: impl Iterator<Item = (usize, Option<u32>)>, width: usize) -> Option<Whereabouts> {
     let mut all: BTreeMap<Option<u32>, Whereabouts> = BTreeMap::new();
     for (i, shape) in pixels {

@@ -212,3 +212,23 @@ fn a_checkerboard_with_one_number_of_fields() {
         assert_eq!(mended(&text, true), (text, 0));
     }
 }
+
+/// Two colours are a checkerboard with one field of each.
+#[test]
+fn a_checkerboard_of_two_colours_alone() {
+    let scene = |lines: &str| {
+        format!(
+            "2 4 0 1 0 0\n{lines}\n9 -501 0 3 9 0 -0.2 -1 0 1 0 40\n50 -402 0.8\n50 -1 4 6 5\n1 9999 2 0\n"
+        )
+    };
+    let text = scene("2 -399 1 1 1 0 0 0");
+    let (finding, made) = super::guessed(&text, super::Code::E009);
+    let right = scene("51 -701 1 1 1\n52 -701 0 0 0\n2 -399 1 1 51 52");
+    assert_eq!(made, std::slice::from_ref(&right), "{finding:?}");
+    assert_eq!(super::fixed(&text), right);
+    // Both colours have records.
+    let known = "20 -701 1 1 1\n21 -701 0 0 0\n";
+    let text = scene(&format!("{known}2 -399 1 1 1 0 0 0"));
+    let right = scene(&format!("{known}2 -399 1 1 20 21"));
+    assert_eq!(super::fixed(&text), right);
+}

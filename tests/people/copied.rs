@@ -194,3 +194,46 @@ fn an_operation_that_is_moved_and_then_turned() {
     }
     assert!(codes(&of(-101)).is_empty());
 }
+
+/// A property or a transformation with the ID of an earlier object stands among the records of a later one.
+#[test]
+fn changes_among_the_records_of_another_object() {
+    let scene = |lines: &str| scene(&format!("{lines}\n9 -101 3 5"));
+    let grouped = |stray: &str| {
+        scene(&format!(
+            "3 11 -1.2 1 0 1 # mirror ball #\n3 -201 0.1 0.85 0\n5 14 0.6 0.2 # red ring #\n{stray}"
+        ))
+    };
+    for stray in [
+        "3 -701 0.9 0.2 0.1 # red #",
+        "3 -2 60 1 # leaning back #",
+        "3 -3 1 0.5 1",
+    ] {
+        let text = grouped(stray);
+        let (_, made) = guessed(&text, Code::N610);
+        assert_eq!(
+            made,
+            [text.replacen(&format!("\n{stray}"), &format!("\n5{}", &stray[1..]), 1)]
+        );
+        assert_eq!(fixed(&text), text);
+    }
+    let balls = "3 11 -2 1 0 1 # ball #\n5 14 0.6 0.2 # ring #\n3 -2 60 1\n5 -1 1 0.8 0";
+    let made = guessed(&scene(balls), Code::N610).1;
+    assert_eq!(made, [scene(&balls.replace("3 -2", "5 -2"))]);
+    for silent in [
+        // A comment names the object, a heading or an empty line stands between.
+        grouped("3 -701 0.9 0.2 0.1 # the mirror #"),
+        grouped("3 -701 0.9 0.2 0.1 # ball #"),
+        grouped("0 # colours #\n3 -701 0.9 0.2 0.1"),
+        grouped("\n3 -701 0.9 0.2 0.1"),
+        // Both have their colour.
+        grouped("3 -701 0.9 0.2 0.1\n5 -701 1 0 0"),
+        // Definitions first.
+        scene("3 11 -2 1 0 1\n5 14 0.6 0.2\n3 -701 1 0 0\n5 -1 1 0.8 0"),
+        // Several.
+        grouped("3 -701 0.9 0.2 0.1\n7 12 4 0 0 5 1 1\n3 -2 60 1\n8 -101 7 5"),
+    ] {
+        let codes: Vec<Code> = read(&silent).findings().iter().map(|d| d.code).collect();
+        assert!(!codes.contains(&Code::N610), "{silent}");
+    }
+}

@@ -266,7 +266,7 @@ fn a_hole_beside_what_is_turned_about_the_origin() {
     let text = of(&format!("{moved}\n{turned}"));
     let (finding, made) = guessed(&text, Code::W332);
     let meant = of(&format!("{turned}\n{moved}"));
-    assert_eq!(made, [meant.clone()]);
+    assert_eq!(made, std::slice::from_ref(&meant));
     assert!(is_choice(&finding));
     assert_eq!(
         [Language::English, Language::Czech].map(|l| titles(&finding, l)[0].clone()),

@@ -1,24 +1,25 @@
-//! The lines that findings point at, as a source for ariadne.
+//! Excerpts of a file, with the lines that findings point at, as sources for ariadne.
 //!
-//! Ariadne indexes a whole source and prints whole lines. Scenes have many megabytes, sometimes on
-//! one line. So it is given a stand-in: the lines from the first one needed to the last one needed, of which only
-//! those have text, a window of it where a line is long. Their numbers are put in afterwards.
+//! Ariadne indexes a whole source and prints whole lines. Scenes have many megabytes, sometimes on one line. Therefore
+//! ariadne gets a stand-in: it reaches from the first line that is needed to the last one. Only lines that are needed
+//! have text, and long ones only a window of it. The line numbers are corrected afterwards.
 
 use ariadne::Source;
 
 use super::{is_disruptive, visible_char};
 use crate::diagnostics::{SourceFile, Span};
 
-/// Lines up to this many characters are shown whole.
+/// The largest number of characters of a line that is shown whole.
 const WHOLE_LINE: usize = 200;
-/// Characters of a longer line before and after the start of what matters.
+/// The number of characters of a longer line that are shown before the start of a span.
 const BEFORE: usize = 60;
+/// The number of characters that are shown from the start of the span on.
 const AFTER: usize = 140;
 /// The sign for the part of a line that is left out.
 const ELLIPSIS: char = '…';
 
-/// Marks a section's name in ariadne's output, where the place is put in afterwards: ariadne would
-/// count lines and columns in the excerpt. It never occurs in what is printed.
+/// Marks a section's name in ariadne's output. The place in the file replaces the name afterwards: ariadne would count
+/// lines and columns in the excerpt. The mark never occurs in what is printed.
 pub(super) const MARK: char = '\u{1}';
 
 /// A stand-in for some lines of a file that are close to each other.
@@ -95,8 +96,8 @@ impl Excerpt {
         [self.lines.first(), self.lines.last()].map(|line| line.map_or(1, |l| l.number + 1))
     }
 
-    /// The range of a span in the stand-in, in characters: at least one, and cut at the end of what is shown of the
-    /// line it starts on. `None` when its start is not shown.
+    /// The range of a span in the stand-in, in characters. It has at least one, and ends at the latest where the shown
+    /// part of its first line does. `None` if the span's start is not shown.
     pub(super) fn place(&self, file: &SourceFile, span: Span) -> Option<std::ops::Range<usize>> {
         let from = file.floor(span.start);
         let number = file.line_index(from);
@@ -106,7 +107,7 @@ impl Excerpt {
             .ok()?;
         let line = &self.lines[i];
         let Span { start, end } = line.window;
-        // The line break, and a byte order mark, count as the place beside them.
+        // A line break or a byte order mark counts as the place beside it.
         let from = from.clamp(start, end.max(start));
         if span.start > end && self::line(file, number).end > end {
             return None;
@@ -121,7 +122,7 @@ impl Excerpt {
     }
 }
 
-/// Ariadne's lines with the numbers that the lines have in the file, and a margin as wide as these ask for.
+/// Replaces the line numbers in ariadne's lines by those in the file, in a margin that is wide enough for them.
 pub(super) fn with_line_numbers<'a>(
     lines: impl Iterator<Item = &'a str>,
     sections: &[(usize, Excerpt)],
@@ -147,7 +148,7 @@ pub(super) fn with_line_numbers<'a>(
                 std::iter::repeat_n(fill, ours + 2).collect()
             }
         };
-        // Colours begin behind the first column, or with what is behind the margin.
+        // Escape sequences in the first two columns keep their place, all others come behind the margin.
         let mut colours = margin.colours.into_iter().peekable();
         for (i, c) in text.chars().enumerate() {
             while let Some((_, colour)) = colours.next_if(|(at, _)| i <= 1 && *at <= i) {
@@ -165,7 +166,7 @@ pub(super) fn with_line_numbers<'a>(
     out
 }
 
-/// How wide the margin is: a space on each side of the largest number.
+/// The width of the margin: a space on each side of the largest number.
 pub(super) fn margin(sections: &[(usize, Excerpt)]) -> usize {
     let last = sections.iter().map(|(_, excerpt)| excerpt.numbers()[1]);
     last.map(digits).max().unwrap_or(1) + 2
@@ -175,10 +176,10 @@ fn digits(number: usize) -> usize {
     number.checked_ilog10().unwrap_or(0) as usize + 1
 }
 
-/// The margin before the text on a line of ariadne's.
+/// The margin before the text on a line of ariadne's output.
 struct Margin<'a> {
     text: String,
-    /// Escape sequences, and how many characters of the margin are before each.
+    /// The escape sequences, each with the number of the margin's characters before it.
     colours: Vec<(usize, &'a str)>,
     rest: &'a str,
 }
@@ -211,7 +212,7 @@ impl<'a> Margin<'a> {
     }
 }
 
-/// A line without what surrounds its text: the line break, and a byte order mark.
+/// The span of a line without its line break and without a byte order mark.
 fn line(file: &SourceFile, number: usize) -> Span {
     let Span { mut start, end } = file.line_span(number);
     if number == 0 && file.text.starts_with('\u{feff}') {
@@ -220,7 +221,7 @@ fn line(file: &SourceFile, number: usize) -> Span {
     Span::new(start, end)
 }
 
-/// The part of a line that is shown, given the offset that matters in it.
+/// The part of a line that is shown, around an offset in it.
 fn window(file: &SourceFile, number: usize, at: u32) -> Span {
     let whole = line(file, number);
     if file.slice(whole).chars().nth(WHOLE_LINE).is_none() {
@@ -241,7 +242,7 @@ fn window(file: &SourceFile, number: usize, at: u32) -> Span {
     Span::new(start, end)
 }
 
-/// The start of a file's line as one line of text, cut where it is long.
+/// A line that is safe to print, cut if it is long.
 pub(super) fn shorten(text: &str) -> String {
     let mut out: String = text.chars().take(AFTER).map(visible_char).collect();
     if text.chars().nth(AFTER).is_some() {

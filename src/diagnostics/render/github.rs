@@ -1,7 +1,7 @@
 //! Findings as workflow commands: GitHub shows them beside the lines of a pull request.
 //!
-//! A command is one line, `::error file=…,line=…::message`, with what would end a line, a property
-//! or the properties percent-encoded.
+//! A command is one line, `::error file=…,line=…::message`. Characters that would end a line, a property or the list of
+//! properties are percent-encoded.
 
 use std::io::{self, Write};
 
@@ -58,7 +58,7 @@ pub fn write(
     Ok(())
 }
 
-/// The commands have no fourth level for matters of style.
+/// The command for a severity. There are three levels: matters of style share that of notes.
 fn command(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "error",
@@ -67,18 +67,18 @@ fn command(severity: Severity) -> &'static str {
     }
 }
 
-/// The text after the `::`. Lines stay lines; within them, foreign text cannot drive the terminal.
+/// Encodes the text after the `::`. Its lines stay lines; within them, foreign text cannot drive the terminal.
 fn data(text: &str) -> String {
     let lines: Vec<_> = text.split('\n').map(visible).collect();
     encode(&lines.join("\n"), "%\r\n")
 }
 
-/// The value of a property.
+/// Encodes the value of a property.
 fn property(text: &str) -> String {
     encode(text, "%\r\n:,")
 }
 
-/// Percent-encodes ASCII characters.
+/// Percent-encodes the characters of a text that are in `what`, which is ASCII.
 fn encode(text: &str, what: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,7 +1,7 @@
 //! Findings for merge requests in GitLab: a Code Quality report, a list of issues in JSON.
 //!
-//! GitLab compares the fingerprints of two runs to tell new issues from old ones. So a fingerprint has no line
-//! number in it: it is made of the file, the code and the text of the line.
+//! GitLab compares the fingerprints of two runs to tell new issues from old ones. A fingerprint is made of the file,
+//! the code and the text of the line, but not of the line's number, which may change.
 
 use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
@@ -108,7 +108,7 @@ fn severity(severity: Severity) -> &'static str {
 /// Writes the report of a run.
 pub fn write(out: &mut dyn Write, files: Vec<File>) -> io::Result<()> {
     let mut issues: Vec<Issue> = files.into_iter().flat_map(|file| file.0).collect();
-    // Equal findings on equal lines are counted.
+    // Equal findings on equal lines are numbered, so that their fingerprints differ.
     let mut seen: HashMap<u64, u64> = HashMap::new();
     for issue in &mut issues {
         let count = seen.entry(issue.print).or_insert(0);

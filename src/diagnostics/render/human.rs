@@ -1,4 +1,4 @@
-//! Findings for people: the lines in question with what is the matter, notes, help and fixes.
+//! Findings for people: lines of the scene with arrows and texts, notes, help and fixes.
 
 #![warn(missing_docs)]
 
@@ -18,16 +18,17 @@ use crate::diagnostics::{
 };
 use crate::parallel;
 
-/// Lines between two places that are shown in sections of their own: ariadne walks through all the lines of a section.
+/// The largest number of lines between two places in the same section of a report: ariadne walks through all lines of a
+/// section.
 const LINES_BETWEEN_SECTIONS: usize = 50;
-/// How findings are shown to people.
+/// The look of findings that are shown to people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Look {
     /// Whether the text has colours of a terminal.
     pub colour: bool,
     /// The language of the messages.
     pub language: Language,
-    /// How wide lines may be; as wide as they are if not said. Lines of the scene are shown as they are.
+    /// The largest width of lines in columns; `None` for no limit. Lines of the scene are never wrapped.
     pub width: Option<usize>,
 }
 
@@ -63,7 +64,7 @@ pub fn write(
         };
         shown.extend(is_shown.then_some(d));
     }
-    // A few are shown one by one.
+    // The errors of a short row are shown one by one.
     let few = |r: &&mut Row| r.more.len() < ROW;
     let back: Vec<&Diagnostic> = (rows.iter_mut().filter(few))
         .flat_map(|r| std::mem::take(&mut r.more))
@@ -77,7 +78,8 @@ pub fn write(
         path: visible(&file.path).into_owned(),
         look,
     };
-    // Errors are as many as there are: side by side, and not all of their texts at once.
+    // All errors are shown, and there may be very many. Threads word them side by side, but not all texts are in memory
+    // at once.
     for some in shown.chunks(16 * TOGETHER) {
         let parts: Vec<_> = some.chunks(TOGETHER).collect();
         for text in parallel::map(parts.len(), |i| printer.texts(parts[i])) {
@@ -93,30 +95,31 @@ pub fn write(
     Ok(())
 }
 
-/// Findings that one thread puts into words at a time.
+/// The number of findings that one thread puts into words at a time.
 const TOGETHER: usize = 512;
 
-/// Most findings of one code that are shown; the others of a file become a count. Of errors only rows do.
+/// The largest number of findings of one code that are shown; further ones in a file become a count. Errors become a
+/// count only in rows.
 const SHOWN: usize = 9;
-/// Most findings that are not shown and named by their places.
+/// The largest number of findings that are not shown but named by their places.
 const PLACES: usize = 6;
 
-/// Notes are no narrower than this, however narrow the terminal is.
+/// The least width of notes, however narrow the terminal is.
 const LEAST_ROOM: usize = 20;
 
-/// Fewest records in a row with the same number of parameters too few or too many that become a count.
+/// The smallest number of records after the first one of a row that become a count.
 const ROW: usize = 3;
 
-/// Records one after the other with the same number of parameters too few or too many.
+/// Errors about records on successive lines with the same number of parameters too few or too many.
 struct Row<'d> {
     first: &'d Diagnostic,
     more: Vec<&'d Diagnostic>,
-    /// The line of the last one.
+    /// The line of the last record.
     line: usize,
 }
 
 impl<'d> Row<'d> {
-    /// Adds an error to its row. Returns whether the error is the first of its row, or has none.
+    /// Adds an error to its row. Returns whether the error is the first of its row, or belongs to no row.
     fn add(rows: &mut Vec<Row<'d>>, d: &'d Diagnostic, file: &SourceFile) -> bool {
         if !matches!(d.code, Code::E008 | Code::E009) {
             return true;
@@ -145,11 +148,11 @@ impl<'d> Row<'d> {
     }
 }
 
-/// Findings of one code.
+/// The findings of one code: how many are shown, and where the others are.
 struct Fold {
     severity: Severity,
     shown: usize,
-    /// The first places of those that are not shown.
+    /// The first places of findings that are not shown.
     places: Vec<String>,
     more: usize,
 }
@@ -184,12 +187,12 @@ impl Printer<'_> {
         self.file.line_index(self.file.floor(span.start))
     }
 
-    /// A line outside of the frame.
+    /// Writes a line outside of the frame.
     fn say(&self, out: &mut dyn Write, line: &str) -> io::Result<()> {
         writeln!(out, "{}", wrapped_if(line, self.look.width, "  "))
     }
 
-    /// The text of some findings, one after the other.
+    /// The texts of some findings, one after the other.
     fn texts(&self, some: &[&Diagnostic]) -> io::Result<Vec<u8>> {
         let mut locator = Locator::new(self.file);
         let mut out = Vec::new();
@@ -255,7 +258,7 @@ impl Printer<'_> {
         writeln!(out)
     }
 
-    /// The places of a finding by section and line, those of the first place's section first.
+    /// The places of a finding, sorted by section and line. The section of the primary place comes first.
     fn marks<'d>(&self, d: &Diagnostic, words: &'d Wording) -> Vec<Mark<'d>> {
         let here = self.line(d.span);
         let mut marks = vec![Mark {
@@ -314,8 +317,8 @@ impl Printer<'_> {
                     .with_color(colour),
             );
         }
-        // The margin with the numbers of lines, and what the frame has before a note: ` 12 │ Note: `, or `Note 1: ` of
-        // several.
+        // A note has less room by the margin with line numbers and by what the frame has before it: ` 12 │ Note: `, or
+        // `Note 1: ` if there are several notes.
         let margin = excerpt::margin(&sections) + 2;
         let room = |several: bool| {
             let name = if several { 8 } else { 6 };
@@ -335,7 +338,7 @@ impl Printer<'_> {
         report
             .finish()
             .write_for_stdout(Sections(&sections), &mut text)?;
-        // Ariadne's own first line knows no notes and no style.
+        // Ariadne's own first line does not know the severities note and style.
         let text = String::from_utf8_lossy(&text);
         let lines = text.lines().skip(1);
         let text = excerpt::with_line_numbers(lines, &sections);
@@ -349,7 +352,7 @@ impl Printer<'_> {
         })
     }
 
-    /// Writes a report, with the real places for the marked ones.
+    /// Writes a report, with the places in the file instead of the marked names.
     fn put_places(
         &self,
         out: &mut dyn Write,
@@ -378,7 +381,7 @@ impl Printer<'_> {
         self.look.colour.then_some(colour)
     }
 
-    /// The help, and what the fixes propose: one of them is to be chosen.
+    /// The help, and the proposals of the fixes. The reader is to choose one of the proposals.
     fn helps(&self, d: &Diagnostic, words: &Wording, width: Option<usize>) -> Vec<String> {
         let help = words
             .help
@@ -395,7 +398,7 @@ impl Printer<'_> {
         let fixes = d.fixes.iter().zip(&words.fixes).enumerate();
         let fixes = fixes.map(|(i, (fix, title))| {
             let title = match fix.edits.first().map(|e| self.line(e.span)) {
-                // What is shown of the finding is not where this is.
+                // The fix is on another line than the finding.
                 Some(line) if !self.touches(fix, here) => {
                     let message = match begins_with_clause(title) {
                         true => "fix-on-line-if",
@@ -420,7 +423,7 @@ impl Printer<'_> {
         first.is_some_and(|first| first <= line) && last.is_some_and(|last| line <= last)
     }
 
-    /// A fix: its title, and the line as it would be.
+    /// The text of a fix: its title, and the lines as they would be.
     fn proposal(&self, fix: &Fix, title: &str, width: Option<usize>) -> String {
         let title = visible(title);
         let title = match fix.applicability {
@@ -454,18 +457,19 @@ fn severity_colour(severity: Severity) -> Color {
     }
 }
 
-/// How many lines of a fix are shown, and how much a line may have to be shown.
+/// The largest number of lines of a fix that are shown.
 const FIX_LINES: usize = 8;
+/// The largest number of bytes that these lines may have together to be shown.
 const FIX_LINE: u32 = 200;
 
-/// The lines a fix touches as they would be after it; none when the fix is too wide to be shown.
+/// The lines that a fix touches, as they would be after it; no lines if they are too many or too long to be shown.
 fn fixed_lines(file: &SourceFile, fix: &Fix) -> Vec<String> {
     let (Some(first), Some(last)) = (fix.edits.first(), fix.edits.last()) else {
         return Vec::new();
     };
     let start = file.line_index(file.floor(first.span.start));
     let mut end = file.line_index(file.floor(last.span.end));
-    // Of lines that go nothing is left to be shown.
+    // A removal that ends at the start of a line does not touch that line.
     if last.text.is_empty() && start < end && file.line_span(end).start == last.span.end {
         end -= 1;
     }
@@ -488,7 +492,7 @@ fn fixed_lines(file: &SourceFile, fix: &Fix) -> Vec<String> {
         .collect()
 }
 
-/// Each section of a report has a source of its own, and is named by its number between marks.
+/// Gives ariadne a source for each section of a report. A section is named by its number between marks.
 struct Sections<'a>(&'a [(usize, Excerpt)]);
 
 impl Cache<usize> for Sections<'_> {
@@ -507,7 +511,8 @@ impl Cache<usize> for Sections<'_> {
 #[cfg(test)]
 mod tests;
 
-/// Ariadne's labels in Czech. The one of notes is a letter longer: lines below it move with its text.
+/// Translates ariadne's labels into Czech. The label of notes becomes a letter longer, so that the lines below it move
+/// by one column.
 fn in_czech(text: &str) -> String {
     let mut out = String::new();
     let mut is_note = false;

@@ -9,7 +9,7 @@ use super::Tally;
 use crate::diagnostics::source::{Locator, Position, SourceFile};
 use crate::diagnostics::{Applicability, Diagnostic, Fix, Language, Severity, Span};
 
-/// The version of the form; it grows when a reader would have to change.
+/// The version of the form; it grows when programs that read the form would have to change.
 pub const VERSION: u32 = 1;
 
 /// The findings of a file.
@@ -58,7 +58,7 @@ struct Replacement {
     text: String,
 }
 
-/// The whole of the output.
+/// The whole output.
 #[derive(Serialize)]
 struct Report<'a> {
     version: u32,
@@ -67,7 +67,7 @@ struct Report<'a> {
 }
 
 impl File {
-    /// A file's findings, which are sorted by their offset. They are in English: programs read them.
+    /// The findings of a file, which are sorted by their offset. Their texts are in English, since programs read them.
     pub fn new(file: &SourceFile, diagnostics: Vec<Diagnostic>) -> File {
         let mut locator = Locator::new(file);
         File {

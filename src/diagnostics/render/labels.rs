@@ -1,4 +1,4 @@
-//! The texts of labels within the width of a terminal. Ariadne puts each on one line, behind an arrow:
+//! Fits the texts of labels into the width of a terminal. Ariadne puts each text on one line, behind an arrow:
 //!
 //! ```text
 //!  3 │ 30 11 0 0 0 -1
@@ -12,10 +12,10 @@ use unicode_width::UnicodeWidthChar as _;
 
 use crate::diagnostics::layout::wrapped;
 
-/// Least width of a text: a wider one begins farther left, on a line of its own.
+/// The least width of a text. A text with less room begins farther left, on a line of its own.
 const MIN_TEXT_WIDTH: usize = 36;
 
-/// A report with the labels on as many lines as they need.
+/// A report in which each label has as many lines as it needs to fit the width.
 pub(super) fn within(report: &str, width: usize) -> String {
     let mut out = String::with_capacity(report.len());
     for line in report.lines() {
@@ -29,11 +29,12 @@ pub(super) fn within(report: &str, width: usize) -> String {
 }
 
 struct Label<'l> {
-    /// The arrow with all before it, and the colours.
+    /// The arrow with everything before it on the line, and the colours.
     before: &'l str,
     text: &'l str,
-    /// The columns where the text begins, and ends.
+    /// The column where the text begins.
     start: usize,
+    /// The column where the text ends.
     end: usize,
 }
 
@@ -93,7 +94,7 @@ impl<'l> Label<'l> {
         }
     }
 
-    /// The text before further lines: the margin, and arrows of other labels.
+    /// The text before further lines of a label: the margin, and arrows of other labels.
     fn indent(&self, columns: usize) -> String {
         let mut out = String::new();
         let (mut count, mut is_escape) = (0, false);
@@ -114,7 +115,7 @@ impl<'l> Label<'l> {
     }
 }
 
-/// Characters without escape sequences.
+/// The characters that are seen: those outside of escape sequences.
 fn seen(chars: impl Iterator<Item = char>) -> impl Iterator<Item = char> {
     chars
         .scan(false, |is_escape, c| {

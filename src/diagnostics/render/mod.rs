@@ -14,7 +14,7 @@ use std::borrow::Cow;
 
 use super::{Diagnostic, Language, Severity, Value, Wording};
 
-/// How many findings there are, by severity, over any number of files.
+/// The numbers of findings by severity, over any number of files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 pub struct Tally {
     /// Number of files looked at, with or without findings.
@@ -23,18 +23,19 @@ pub struct Tally {
     pub warnings: usize,
     pub notes: usize,
     pub style: usize,
-    /// Files in which something was found.
+    /// Number of files with findings.
     #[serde(skip)]
     pub files_with_findings: usize,
-    /// Findings with a fix that may be applied without asking, and with none but others.
+    /// Number of findings with a safe fix.
     #[serde(skip)]
     pub fixable: usize,
     #[serde(skip)]
+    /// Number of findings without a safe fix, but with an unsafe one that may be applied.
     pub fixable_unsafe: usize,
 }
 
 impl Tally {
-    /// Counts one file's findings in.
+    /// Adds the findings of one file to the counts.
     pub fn add(&mut self, diagnostics: &[Diagnostic]) {
         self.files += 1;
         self.files_with_findings += usize::from(!diagnostics.is_empty());
@@ -52,7 +53,7 @@ impl Tally {
         }
     }
 
-    /// Counts in what another tally has counted.
+    /// Adds the counts of another tally.
     pub fn merge(&mut self, other: &Tally) {
         self.files += other.files;
         self.errors += other.errors;
@@ -71,7 +72,7 @@ impl Tally {
 }
 
 impl Tally {
-    /// `Found 3 errors and 1 warning in 2 files; 2 can be fixed with …`
+    /// The sentence with the counts: `Found 3 errors and 1 warning in 2 files; 2 can be fixed with …`
     pub fn sentence(&self, language: Language) -> String {
         let count = |n: usize| Value::Count(n as u64);
         if self.is_clean() {
@@ -104,10 +105,10 @@ impl Tally {
     }
 }
 
-/// The texts of a finding besides its second places, as lines of one text.
+/// All texts of a finding except those of its second places, each on a line.
 fn one_text(words: &Wording, language: Language) -> String {
     let mut lines = vec![words.message.as_str()];
-    // A label that points says nothing where nothing is pointed at.
+    // The label "here" says nothing without an arrow.
     if words.label != language.say("here", &[]) {
         lines.push(&words.label);
     }
@@ -115,7 +116,8 @@ fn one_text(words: &Wording, language: Language) -> String {
     lines.join("\n")
 }
 
-/// A path as machines compare them: with slashes, and without what leads nowhere (`./a` is `a`).
+/// A path in the form in which programs compare paths: with slashes, and without parts that lead nowhere (`./a` is
+/// `a`).
 fn plain_path(path: &str, windows: bool) -> String {
     let separators: &[char] = if windows { &['/', '\\'] } else { &['/'] };
     let parts: Vec<&str> = path.split(separators).filter(|&p| p != ".").collect();

@@ -1,7 +1,7 @@
 //! Findings for code scanning: SARIF 2.1.0, the OASIS standard for results of static analysis.
 //!
-//! One run with the rules that spoke, the files looked at, and a result for each finding. Lines and
-//! columns count as everywhere in zpg; byte offsets are those of the file as it lies on disk.
+//! The log has one run with the rules of the findings, the files that were checked, and a result for each finding.
+//! Lines and columns count as everywhere in zpg; byte offsets are those of the file on disk.
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -189,7 +189,7 @@ struct Replacement {
     inserted_content: Content,
 }
 
-/// Text of a file; unlike a [`Message`] it has no places to fill.
+/// Text of a file; unlike a [`Message`] it has no placeholders.
 #[derive(Debug, Serialize)]
 struct Content {
     text: String,
@@ -327,7 +327,7 @@ fn section(page: &str, heading: &str) -> String {
         .join(" ")
 }
 
-/// The subject of a code's hundred.
+/// The subject that a code's letter and first digit stand for.
 fn tag(code: Code) -> &'static str {
     match &code.as_str()[..2] {
         "E0" => "syntax",
@@ -339,7 +339,7 @@ fn tag(code: Code) -> &'static str {
     }
 }
 
-/// SARIF has no level of its own for matters of style.
+/// The level of a severity. SARIF has no level for matters of style: they share that of notes.
 fn level(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "error",
@@ -348,7 +348,7 @@ fn level(severity: Severity) -> &'static str {
     }
 }
 
-/// A message; braces would be places for arguments if they were not doubled (section 3.11.5 of the
+/// A message of a text. Its braces are doubled, or they would be placeholders for arguments (section 3.11.5 of the
 /// standard).
 fn message(text: String) -> Message {
     let text = if text.contains(['{', '}']) {
@@ -359,8 +359,8 @@ fn message(text: String) -> Message {
     Message { text }
 }
 
-/// A path as a reference in a URI: a relative path stays relative, so that what reads the findings
-/// can find the files wherever they are.
+/// A path as a URI reference. A relative path stays relative, so that programs that read the findings can find the
+/// files wherever they are.
 fn uri(path: &str, windows: bool) -> String {
     let path = plain_path(path, windows);
     let (drive, rest) = match path.split_at_checked(2) {
@@ -382,7 +382,7 @@ fn uri(path: &str, windows: bool) -> String {
     }
 }
 
-/// Writes the log of a run. `complete` is whether all files could be read.
+/// Writes the log of a run. `complete` says whether all files could be read.
 pub fn write(out: &mut dyn Write, files: &[File], complete: bool) -> io::Result<()> {
     let findings = || files.iter().flat_map(|file| &file.findings);
     let spoke: BTreeSet<Code> = findings().map(|&(code, _)| code).collect();

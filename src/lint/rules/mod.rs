@@ -12,6 +12,7 @@
 //! Three lines name the folder: the line of its code in `diagnostics/code.rs`, and here its `mod` and its entry in
 //! `RULES`.
 
+mod among_others;
 mod angle_in_radians;
 mod asymmetric_quadric;
 mod bare_comment;
@@ -334,6 +335,11 @@ pub(super) const RULES: &[Rule] = &[
         code: Code::N609,
         check: turned_about_origin::check,
         asks_for: &[TRANSLATIONS, ROTATIONS],
+    },
+    Rule {
+        code: Code::N610,
+        check: among_others::check,
+        asks_for: &[],
     },
     Rule {
         code: Code::S501,

@@ -1,11 +1,11 @@
-//! Directions that no scene is built with.
+//! Directions along which no scene is built.
 
 use crate::scene::Vec3;
 
 /// A point of a surface and the direction at right angles to it.
 pub type Sample = (Vec3, Vec3);
 
-/// The sine and cosine of so many golden angles, and a little.
+/// The sine and cosine of `i` golden angles plus 0.3 radians.
 pub fn turn(i: u32) -> (f64, f64) {
     (f64::from(i) * 2.399_963 + 0.3).sin_cos()
 }

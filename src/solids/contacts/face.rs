@@ -1,5 +1,5 @@
-//! The faces of shapes, placed: flat ones as oriented planes with their outlines, round ones as
-//! surfaces with a point that tells them from others.
+//! The faces of shapes in their places. A flat face is an oriented plane with an outline. A round face is a surface
+//! with a point and a length that tell it from other surfaces.
 
 use super::quadric;
 use crate::geometry::Matrix;
@@ -20,24 +20,25 @@ pub enum FaceId {
     Mantle,
     /// The piece of a profile from this point to the next.
     Piece(usize),
-    /// The disc that closes a profile at this point's end.
+    /// The disc that closes a profile at this end point.
     Cap(usize),
 }
 
 #[derive(Debug, Clone)]
 pub enum FaceShape {
     Flat {
-        /// Outwards, of length 1.
+        /// The outward normal, of length 1.
         normal: Vec3,
         /// The middle of the face, or any point of its plane.
         point: Vec3,
-        /// The way from there to the middles of two sides that meet; `None` where it has no end.
+        /// The vectors from the middle to the middles of two adjacent sides of the outline. `None` if the face is
+        /// infinite.
         sides: Option<[Vec3; 2]>,
-        /// The middle line of a disc or ring, as a share of the sides.
+        /// The radius halfway between the edges of a disc or ring, as a share of the sides. `None` for other faces.
         ring: Option<f64>,
     },
     Round {
-        /// The same for equal surfaces, whatever piece of them this is.
+        /// A point that is the same for equal surfaces, whichever piece of the surface the face is.
         anchor: Vec3,
         /// A length that is the same for equal surfaces.
         scale: f64,
@@ -46,7 +47,7 @@ pub enum FaceShape {
 }
 
 impl FaceShape {
-    /// Four corners around a flat face that ends.
+    /// The four corners of the parallelogram around a flat face. `None` for round faces and infinite ones.
     pub fn corners(&self) -> Option<[Vec3; 4]> {
         let FaceShape::Flat {
             point,
@@ -65,7 +66,7 @@ impl FaceShape {
         ])
     }
 
-    /// Points of a flat face where the middle of the corners may not be one.
+    /// Points of a disc or ring, whose middle may be in its hole. None for other faces.
     pub fn samples(&self) -> impl Iterator<Item = Vec3> {
         let ring = match *self {
             FaceShape::Flat {
@@ -92,7 +93,7 @@ pub struct Face {
     pub leaf: u32,
     pub part: FaceId,
     pub form: FaceShape,
-    /// Whether the face is filed as what it is, not once more as a quadric.
+    /// Whether the face is filed as itself. A round face is filed once more as the quadric in which it lies.
     pub own: bool,
 }
 
@@ -109,19 +110,19 @@ pub const BALL: u8 = 0;
 pub const TORUS: u8 = 1;
 pub const CONE: u8 = 2;
 const CYLINDER: u8 = 3;
-/// The class of quadrics, which have a number that stands for their matrix in the place of an anchor.
+/// The class of quadrics. In the place of an anchor they have a number that stands for their matrix.
 pub const QUADRIC: u8 = 4;
 
-/// How far a flat face goes.
+/// The outline of a flat face.
 #[derive(Clone, Copy, PartialEq)]
 enum Extent {
     Endless,
     Corners,
-    /// See [`FaceShape::Flat`].
+    /// A disc or ring, with the value of `ring` in [`FaceShape::Flat`].
     Ring(f64),
 }
 
-/// Takes the faces of a leaf, in the coordinates of its shape.
+/// Collects the faces of a leaf. The methods take a face in the coordinates of the shape, and `m` maps it to its place.
 pub struct Faces<'a> {
     pub leaf: u32,
     pub m: &'a Matrix,
@@ -129,7 +130,7 @@ pub struct Faces<'a> {
 }
 
 impl Faces<'_> {
-    /// The parallelogram centre ± sides.
+    /// Adds the parallelogram centre ± sides.
     pub fn parallelogram(
         &mut self,
         part: FaceId,
@@ -145,7 +146,7 @@ impl Faces<'_> {
         self.flat(part, point, along, outwards, Extent::Endless);
     }
 
-    /// A surface that is one quadric.
+    /// Adds a surface that is one quadric.
     pub fn quadric(&mut self, form: &quadric::QuadricMatrix) {
         if let Some(at) = quadric::fingerprint(form, self.m) {
             self.out.push(Face {
@@ -157,7 +158,7 @@ impl Faces<'_> {
         }
     }
 
-    /// The parallelogram centre ± sides, what lies in it, or all of its plane.
+    /// Adds the parallelogram centre ± sides, a disc or ring in it, or all of its plane.
     fn flat(
         &mut self,
         part: FaceId,
@@ -187,7 +188,7 @@ impl Faces<'_> {
         });
     }
 
-    /// A disc or ring about the y axis.
+    /// Adds a disc or ring about the y axis. `up` is 1 if its outward normal points upwards, and −1 if downwards.
     pub fn disc(&mut self, part: FaceId, y: f64, (inner, outer): (f64, f64), up: f64) {
         let middle = (inner / 2.0 + outer / 2.0) / outer;
         let sides = ([outer, 0.0, 0.0], [0.0, 0.0, outer]);
@@ -200,14 +201,14 @@ impl Faces<'_> {
         );
     }
 
-    /// A round face, by what tells its surface from others of its class.
+    /// Adds a round face. `anchor` and `scale` tell its surface from others of its class.
     pub fn round(&mut self, part: FaceId, anchor: Vec3, scale: f64, class: u8) {
         self.out.push(Face {
             leaf: self.leaf,
             part,
             form: FaceShape::Round {
                 anchor: self.m.point(anchor),
-                // Volumes grow by the determinant.
+                // The map stretches volumes by the determinant, and lengths by its cube root on average.
                 scale: scale * self.m.determinant3().abs().cbrt(),
                 class,
             },
@@ -219,8 +220,7 @@ impl Faces<'_> {
     pub fn revolution(&mut self, points: &[[f64; 2]]) {
         let n = points.len();
         let top = points.iter().fold(0.0f64, |m, p| m.max(p[1].abs()));
-        // Far enough from a level piece to be on one side of it for certain: the height of no other
-        // level piece lies between.
+        // A step that leads from a level piece surely to one side of it: no other level piece has a height in between.
         let step = |y: f64| {
             let others = points.iter().map(|p| (p[1] - y).abs()).filter(|d| *d > 0.0);
             others.fold(top.max(f64::MIN_POSITIVE), f64::min) / 2.0
@@ -233,7 +233,7 @@ impl Faces<'_> {
                 profile::holds(points, [middle, y + h, 0.0]),
                 profile::holds(points, [middle, y - h, 0.0]),
             );
-            // Level pieces that lie in one another do not change sides.
+            // Where an even number of level pieces coincide, both sides are the same and there is no face.
             if above != below && radii.0 < radii.1 {
                 self.disc(part, y, radii, if below { 1.0 } else { -1.0 });
             }
@@ -258,7 +258,7 @@ impl Faces<'_> {
                 continue;
             }
             if x0 == x1 {
-                // The point of the axis that is nearest to the origin of the search.
+                // The anchor is the point of the axis that is nearest to the origin, where the leaf is placed.
                 let (at, axis) = (self.m.point([0.0; 3]), self.m.vector([0.0, 1.0, 0.0]));
                 let back = dot(at, axis) / dot(axis, axis);
                 self.round(FaceId::Piece(i), [0.0; 3], 0.0, CYLINDER);

@@ -1,4 +1,4 @@
-//! Faces in one place: faces of two operands that the boundary of an operation's result has to choose between.
+//! Faces in one place: faces of two operands, of which the boundary of the operation's result can have only one.
 
 pub mod directions;
 pub mod face;
@@ -12,7 +12,7 @@ use crate::scene::Scene;
 use crate::solids::bounds::NodeBounds;
 use search::search;
 
-/// Pairs of shapes in what is drawn of which faces are in one place where that is seen: indices of
+/// Pairs of shapes in the drawn object that have faces in one place where this can be seen, as indices of
 /// [`Scene::shapes`].
 pub fn pairs(scene: &Scene, bounds: &[NodeBounds]) -> Vec<[u32; 2]> {
     let roots: Vec<_> = scene.render.iter().map(|r| r.root).collect();

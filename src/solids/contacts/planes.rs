@@ -1,4 +1,5 @@
-//! Search for faces that may lie in one another: faces filed by their planes, and there by their outlines.
+//! The search for faces that may lie in one another. Faces are sorted by their planes, and within a plane found by
+//! their outlines.
 
 use super::face::{Face, FaceShape, QUADRIC};
 use super::sample::SLIVER;
@@ -10,30 +11,30 @@ use crate::parallel;
 use crate::scene::Vec3;
 use crate::solids::tree::Tree;
 
-/// Faces and boxes looked at, for all faces together: some tenths of a second. What is not looked at
-/// is not spoken of.
+/// The most faces and boxes that are looked at, for all faces together: some tenths of a second. Faces that are not
+/// looked at are not reported.
 const STEPS: usize = 20_000_000;
 
-/// Pairs at most: several times what there are points for.
+/// The most pairs: several times as many as the later steps can try at points.
 const PAIRS: usize = 500_000;
 
 /// Cost of finding the operation that joins two shapes, in steps.
 const JOIN_COST: usize = 8;
 
-/// Most faces in one plane that are compared one by one.
+/// The most faces in one plane that are compared one by one; for more an index is made.
 const MAX_FACES_COMPARED_SINGLY: usize = 16;
 
 type Cell = [i16; 3];
 
-/// The key that a face is sorted by. The keys of all faces are sorted, and most are thrown away then.
+/// The key by which a face is sorted. The keys of all faces are sorted, and most of them are then thrown away.
 #[derive(Clone, Copy)]
 struct Filed {
     cell: Cell,
-    /// Whether a neighbour may be in another cell.
+    /// Whether a face in the same plane may be in another cell.
     on_border: bool,
     face: u32,
     at: f64,
-    /// How large the numbers are that the face is made of.
+    /// The size of the numbers that make up the face.
     magnitude: f64,
 }
 
@@ -42,46 +43,46 @@ impl Filed {
     fn order(&self) -> (u128, u32) {
         let [x, y, z] = self.cell.map(|c| u64::from(c as u16 ^ 0x8000));
         let cell = x << 32 | y << 16 | z;
-        // As `total_cmp` has it.
+        // The bits of the number, changed so that their order is that of `total_cmp`.
         let bits = self.at.to_bits();
         let at = bits ^ ((bits as i64 >> 63) as u64 | 1 << 63);
         (u128::from(cell) << 64 | u128::from(at), self.face)
     }
 }
 
-/// A unit vector's components in steps of a ten-thousandth.
+/// The number of cells per unit of a normal's component: steps of a ten-thousandth.
 const CELLS: f64 = 1e4;
 
-/// A direction that no scene is built along, to tell places apart by one number.
+/// A direction along which no scene is built. Products with it tell points apart by one number.
 const ODD: Vec3 = [0.612_372, 0.288_675, 0.736_203];
 
 /// A direction like [`ODD`], for sums of whole numbers.
 const ODD_CELL: [i32; 3] = [612, 289, 736];
 
-/// Factor by which quadrics' numbers may differ more than others: numbers of one surface agree to within a
-/// ten-millionth. Rounding on the way through their matrices is magnified by where they are, and samples decide.
+/// The magnitude of a quadric's key. Times [`ROUNDING`] it is a ten-millionth, to within which the numbers of one
+/// surface agree: rounding in the matrices grows with the distance from the origin. Samples decide in the end.
 const QUADRIC_LOOSENESS: f64 = 1e-7 / ROUNDING;
 
-/// A face in the file, with all that is asked of it: the faces themselves lie far apart in memory.
+/// A sorted face with all that the search asks of it, since the faces themselves lie far apart in memory.
 struct SortedFace {
     cell: Cell,
     at: f64,
     face: u32,
     leaf: u32,
-    /// Whether a neighbour may be in another cell.
+    /// Whether a face in the same plane may be in another cell.
     on_border: bool,
     flat: bool,
     /// Whether the face is one of the shape's own: see [`Face::own`].
     own: bool,
-    /// Size of the shape, and of the numbers that the face is made of.
+    /// The size of the shape. `magnitude` is the size of the numbers that make up the face.
     size: f64,
     magnitude: f64,
     bounds: Aabb,
 }
 
 impl SortedFace {
-    /// The cell and the number of a face that lies in this one: flat ones look the other way, round
-    /// ones are filed without a side.
+    /// The cell and the number of a face that lies in this one. Flat faces that lie in one another look in opposite
+    /// directions; round faces are filed without a direction.
     fn opposite(&self) -> (Cell, f64) {
         match self.flat {
             true => (self.cell.map(|c| -c), -self.at),
@@ -89,7 +90,8 @@ impl SortedFace {
         }
     }
 
-    /// A number that has opposite signs for faces that look against each other, but for a cell's width.
+    /// A number for the direction of a flat face, 0 for round ones. Two faces that look against each other have
+    /// opposite numbers, up to the width of a cell.
     fn side(&self) -> i32 {
         match self.flat {
             true => (0..3).map(|i| ODD_CELL[i] * i32::from(self.cell[i])).sum(),
@@ -97,31 +99,31 @@ impl SortedFace {
         }
     }
 
-    /// Whether the face looks for others.
+    /// Whether the face looks for others that lie in it. Faces with a clearly negative side are only found.
     fn asks(&self) -> bool {
         self.side() >= -ODD_CELL.iter().sum::<i32>()
     }
 
-    /// Whether this face is the one of two that finds the other.
+    /// Whether this face of a pair is the one that finds the other, so that a pair is found once.
     fn precedes(&self, other: &SortedFace) -> bool {
         (other.side(), self.leaf) < (self.side(), other.leaf)
     }
 }
 
-/// Faces that lie in one plane, or in planes very near to each other.
+/// A range of the sorted faces: they lie in one plane, or in planes very near to each other.
 struct Run {
     cell: Cell,
-    /// The least and the largest number by which its entries are told apart.
+    /// The least number of the faces' keys; `high` is the largest.
     low: f64,
     high: f64,
     start: usize,
     end: usize,
-    /// Index of the entries from `start` on, made when it is first needed.
+    /// The index of the faces from `start` on, made when it is first needed.
     index: Option<Box<Boxes>>,
 }
 
-/// The key that a face is filed by: its cell, a number that differs little for faces that differ little, and the size
-/// of the numbers that the face is made of.
+/// The key of a face: its cell, a number that is nearly equal for nearly equal faces, and the size of the numbers that
+/// make up the face. `turned`: the face looks the other way, as part of a complement.
 fn key(form: &FaceShape, turned: bool) -> (Cell, f64, f64) {
     match form {
         FaceShape::Flat { normal, point, .. } => {
@@ -145,7 +147,7 @@ fn key(form: &FaceShape, turned: bool) -> (Cell, f64, f64) {
     }
 }
 
-/// The cell on the other side of a border within a hundredth of a step, along each axis.
+/// For each axis, the coordinate of the cell behind a border, if the normal is within a hundredth of a step of one.
 fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i16>; 3] {
     std::array::from_fn(|i| {
         let x = normal[i] * CELLS;
@@ -154,7 +156,7 @@ fn beyond_border(normal: Vec3, cell: Cell) -> [Option<i16>; 3] {
     })
 }
 
-/// Whether a neighbour of a face may be in another cell.
+/// Whether a face in the same plane may be in another cell.
 fn on_border(form: &FaceShape, cell: Cell, turned: bool) -> bool {
     let FaceShape::Flat { normal, .. } = form else {
         return false;
@@ -164,7 +166,7 @@ fn on_border(form: &FaceShape, cell: Cell, turned: bool) -> bool {
     others.iter().any(Option::is_some)
 }
 
-/// All cells in which a neighbour of this one's face can be.
+/// All cells in which a face in the same plane can be.
 fn cells(form: &FaceShape, turned: bool, cell: Cell) -> Vec<Cell> {
     let FaceShape::Flat { normal, .. } = form else {
         return vec![cell];
@@ -186,18 +188,18 @@ fn cells(form: &FaceShape, turned: bool, cell: Cell) -> Vec<Cell> {
 /// Two faces that may lie in one another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Meeting {
-    /// The later one first.
+    /// The two leaves, the later one first.
     leaves: [u32; 2],
-    /// The later leaf's first.
+    /// The faces, that of the later leaf first.
     pub faces: [u32; 2],
     /// The place of the operation that joins their shapes.
     pub operation: u32,
 }
 
-/// The search for pairs in one group after the other.
+/// The search for pairs, for one group after the other, with one budget for all.
 pub(super) struct Planes<'a> {
     tree: &'a Tree,
-    /// The largest size of all shapes that end.
+    /// The largest size of all bounded shapes.
     largest: f64,
     steps: usize,
     pairs: usize,
@@ -214,10 +216,10 @@ impl<'a> Planes<'a> {
         }
     }
 
-    /// Pairs of faces, of different leaves of the group that all of these are of, that look against
-    /// each other in one plane or are round and of one place, whose outlines overlap and whose shapes
-    /// are joined by a difference or an intersection. By the later leaf, then the earlier one, which is
-    /// mostly the workpiece.
+    /// The pairs among the faces of one group that may lie in one another. Flat faces look against each other in one
+    /// plane, round ones have one key, and the outlines overlap. The faces are of different leaves, which a difference
+    /// or an intersection joins. The pairs are sorted by the later leaf, then by the earlier one, which is mostly the
+    /// workpiece.
     pub(super) fn pairs(&mut self, faces: &[Face]) -> Vec<Meeting> {
         let mut out = Vec::new();
         if self.steps > 0 && self.pairs > 0 {
@@ -236,7 +238,7 @@ impl<'a> Planes<'a> {
         self.tree.places[leaf.place as usize].turned
     }
 
-    /// The faces in the order of their planes.
+    /// The faces in the order of their keys, without those that surely lie in no other face.
     fn entries(&self, faces: &[Face]) -> Vec<SortedFace> {
         let mut filed = parallel::map(faces.len(), |i| {
             let face = &faces[i];
@@ -268,7 +270,8 @@ impl<'a> Planes<'a> {
                 on_border: filed.on_border,
                 flat: normal.is_some(),
                 own: face.own,
-                // What has no end is near to what is not far from the origin either.
+                // An infinite shape has no size. The largest bounded shape stands for it, or the distance of its plane
+                // from the origin.
                 size: match normal {
                     _ if size.is_finite() => size,
                     Some(_) => filed.magnitude.max(self.largest),
@@ -281,14 +284,15 @@ impl<'a> Planes<'a> {
         parallel::map(filed.len(), |i| entry(&filed[i]))
     }
 
-    /// The round faces among sorted ones, and the flat ones that may have a flat one against them: in most scenes few.
+    /// Keeps the round faces, and the flat ones that may have a flat face against them: in most scenes few. `filed` is
+    /// sorted.
     fn opposed(&self, filed: Vec<Filed>) -> Vec<Filed> {
         let flats = filed.partition_point(|f| f.cell[0] < i16::MAX);
-        // Further than any of them is from one that lies in its plane.
+        // More than the distance between any two keys of faces in one plane.
         let magnitudes = filed[..flats].iter().map(|f| f.magnitude);
         let magnitude = magnitudes.fold(self.largest, f64::max);
         let reach = (2.0 * FACE_REL_GAP + ROUNDING) * magnitude;
-        // What is looked for comes in the opposite order.
+        // While the keys ascend, those of the opposite faces descend.
         let mut below = flats;
         let mut keep = |f: &Filed| {
             let opposite = f.cell.map(|c| -c);
@@ -304,7 +308,7 @@ impl<'a> Planes<'a> {
         kept
     }
 
-    /// Adds the pairs; `None` when no steps are left, or no room for more.
+    /// Adds the pairs to `out`. `None` when no steps or no pairs are left.
     fn fill(
         &mut self,
         faces: &[Face],
@@ -373,7 +377,7 @@ fn touch(one: &SortedFace, two: &SortedFace) -> bool {
     one.flat && two.flat && extent[1] < SLIVER * one.size.min(two.size)
 }
 
-/// Stretches of entries that lie in one plane.
+/// Divides the sorted faces into runs that lie in one plane.
 fn runs(entries: &[SortedFace]) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for (i, e) in entries.iter().enumerate() {
@@ -398,7 +402,7 @@ fn runs(entries: &[SortedFace]) -> Vec<Run> {
 }
 
 impl Run {
-    /// Leaves in `out` the entries whose outlines overlap a box; says how many steps that took.
+    /// Puts into `out` the faces whose bounds overlap a box, and returns the number of steps that this took.
     fn near(&mut self, entries: &[SortedFace], around: &Aabb, out: &mut Vec<u32>) -> usize {
         let all = self.start as u32..self.end as u32;
         let overlaps = |i: &u32| entries[*i as usize].bounds.overlaps(around);

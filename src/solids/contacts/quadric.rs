@@ -1,4 +1,4 @@
-//! Quadrics as faces: the matrix that tells them from others, and points to try them at.
+//! Quadrics as faces: a number that tells them apart, and points at which they are tried.
 
 use super::directions::{Sample, direction};
 use crate::geometry::Matrix;
@@ -8,7 +8,8 @@ use crate::scene::Vec3;
 /// A symmetric matrix Q of xᵀQx = 0.
 pub type QuadricMatrix = [[f64; 4]; 4];
 
-/// A number that is the same for a matrix times any factor, once it is moved.
+/// A number that tells a quadric, moved by `m`, from others. It does not depend on a factor of the matrix. `None` if
+/// `m` has no inverse.
 pub fn fingerprint(form: &QuadricMatrix, m: &Matrix) -> Option<f64> {
     let back = m.inverse()?.0;
     // One weight for each entry, none a multiple of another.
@@ -26,8 +27,7 @@ pub fn fingerprint(form: &QuadricMatrix, m: &Matrix) -> Option<f64> {
     Some((sum / squares.sqrt()).abs())
 }
 
-/// Points of the surface near its centre, in the shape's coordinates: where lines of no pattern
-/// cross it.
+/// Points of the surface near its centre with normals, in the shape's coordinates: the crossings of irregular lines.
 pub fn samples(form: &QuadricMatrix) -> Vec<Sample> {
     let rows: [Vec3; 4] = form.map(|r| [r[0], r[1], r[2]]);
     let linear: Vec3 = rows[3];
@@ -42,7 +42,7 @@ pub fn samples(form: &QuadricMatrix) -> Vec<Sample> {
     let centre = square.inverse().map(|m| m.vector(linear.map(|x| -x)));
     let centre = centre.filter(|c| c.iter().all(|x| x.is_finite()));
     let centre = centre.unwrap_or([0.0; 3]);
-    // A length of the surface's own; a cone and a plane through the origin have none.
+    // A characteristic length of the surface; a cone and a plane through the origin have none.
     let lengths = [
         (value(centre).abs() / curved).sqrt(),
         length(slope(centre)) / curved,
@@ -50,9 +50,9 @@ pub fn samples(form: &QuadricMatrix) -> Vec<Sample> {
     ];
     let usable = |l: &f64| l.is_finite() && *l > 0.0;
     let scale = lengths.into_iter().find(usable).unwrap_or(1.0);
-    /// Most lines that are tried.
+    /// The number of lines that are tried.
     const MAX_LINES_TRIED: u32 = 24;
-    /// Distance from a line's start at which a crossing is of use, in lengths of the surface, at most.
+    /// The greatest distance of a usable crossing from the start of its line, in characteristic lengths.
     const MAX_CROSSING_DISTANCE: f64 = 10.0;
     let mut out = Vec::new();
     for i in 0..MAX_LINES_TRIED {

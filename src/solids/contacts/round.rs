@@ -1,4 +1,4 @@
-//! Round faces: how they differ from flat ones, and points of them.
+//! Round faces: the quadric or the piece of a profile that a face is, and points on it.
 
 use super::directions::{Sample, turn};
 use super::face::FaceId;
@@ -10,7 +10,7 @@ use crate::solids::shapes::{AnyShape, ball, circle};
 pub(super) type Mantle = ((f64, f64), (f64, f64));
 
 impl Geometry {
-    /// The symmetric matrix of the quadric that a round face lies in.
+    /// The symmetric matrix of the quadric in which a face lies. `None` if it lies in no quadric.
     pub fn quadric(&self, part: FaceId) -> Option<QuadricMatrix> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {
@@ -56,7 +56,7 @@ impl Geometry {
         }
     }
 
-    /// A round face about the y axis as a piece of a profile.
+    /// A round face about the y axis as a piece of a profile. `None` for faces that are none.
     pub fn mantle(&self, part: FaceId) -> Option<Mantle> {
         match AnyShape::of(self) {
             AnyShape::Cone(s) => {
@@ -81,7 +81,7 @@ impl Geometry {
         }
     }
 
-    /// Points of its surface with normals, where it is one round face that is no mantle.
+    /// Points of the surface with normals, for shapes that are one round face and no mantle. Empty for other shapes.
     pub fn samples(&self) -> Vec<Sample> {
         match AnyShape::of(self) {
             AnyShape::Ellipsoid(s) => ball::samples([0.0; 3], s.semi_axes),

@@ -1,4 +1,4 @@
-//! Points at which two faces are tried: where both can be, and nowhere special.
+//! Points at which two faces are compared: points that both faces may have, in no special position.
 
 use super::directions::{Sample, turn};
 use super::face::{Face, FaceShape};
@@ -7,7 +7,8 @@ use crate::geometry::array::{across, add, cross, dot, length, middle, sub, unit}
 use crate::scene::{Geometry, Vec3};
 use crate::solids::leaf::Leaf;
 
-/// Overlaps narrower than this share of the smaller shape may be rounding: silence.
+/// The width of an overlap, as a share of the smaller shape, below which the overlap may be due to rounding and is not
+/// reported.
 pub(super) const SLIVER: f64 = 1e-6;
 
 /// Samples of the overlap of two flat faces: none where the overlap is less than a sliver.
@@ -44,11 +45,11 @@ pub(super) fn flat(one: &Face, two: &Face, size: f64) -> Vec<Sample> {
     points.into_iter().map(|p| (p, *normal)).collect()
 }
 
-/// Points of a plane, up to some way from this one.
+/// Points of a plane around `point`, at up to 2.3 times `size` from it.
 fn plane(point: Vec3, normal: Vec3, size: f64) -> Vec<Sample> {
     let [u, v] = across(normal);
     let away = |i: u32| {
-        // At distances of no pattern.
+        // The distances are not regular either.
         let (sin, cos) = turn(i);
         let far = size * 0.317 * f64::from(i);
         (add(add(point, u, far * cos), v, far * sin), normal)
@@ -84,9 +85,10 @@ fn clipped(a: &[Vec3], by: &[Vec3], normal: Vec3) -> Vec<Vec3> {
     outline
 }
 
-/// Points of a round face, in the coordinates of the search, at angles that no scene is built with.
+/// Points that two round faces may have in common, where the leaves are placed, at angles along which no scene is
+/// built.
 pub(super) fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometry)) -> Vec<Sample> {
-    // The one that is a piece of its surface, if one is.
+    // The face that is a piece of a profile comes first, if one is.
     let own = |of: (&Face, &Leaf, &Geometry)| of.2.mantle(of.0.part).is_some();
     let (one, two) = if own(two) && !own(one) {
         (two, one)
@@ -100,7 +102,7 @@ pub(super) fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometr
     let local = match geometry.mantle(face.part) {
         None => geometry.samples(),
         Some(own) => {
-            // The stretch of the axis that both have.
+            // Both pieces cover this stretch of the axis.
             let there = back.after(&two.1.matrix);
             let along = |(_, y): (f64, f64)| there.point([0.0, y, 0.0])[1];
             let other = two.2.mantle(two.0.part);
@@ -110,7 +112,7 @@ pub(super) fn round(one: (&Face, &Leaf, &Geometry), two: (&Face, &Leaf, &Geometr
         }
     };
     let normal_out = |n: Vec3| -> Option<Vec3> {
-        // Normals go by the transpose of the inverse.
+        // The transpose of the inverse matrix maps normals.
         unit(std::array::from_fn(|j| {
             (0..3).map(|i| back.0[i][j] * n[i]).sum()
         }))

@@ -23,13 +23,13 @@ pub const FACE_REL_GAP: f64 = 1e-9;
 /// Rounding of a point's coordinates on the way through two matrices, as a share of their size.
 pub const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A place must show what it shows at three points around it too, lest it be the border of
-/// something else, where the side is up to rounding: so far away, as a multiple of the distance that
-/// counts as none. Over a curved surface of a size that leads off it by the square of this share of
-/// the size, which is less than that distance down to radii of a hundred-thousandth of the size.
+/// The distance of three points around a sample from it, as a multiple of the distance that counts as none. The faces
+/// must meet at these points, too: otherwise the sample may be on the border of something else, where rounding decides
+/// the side. On a curved surface the points are off the surface by the square of their distance over the radius, which
+/// is less than the distance that counts as none down to radii of a hundred-thousandth of the size.
 const AROUND: f64 = 100.0;
 
-/// Thickness of a skin, as a share of what it is a skin of, at most: more than a hair.
+/// The greatest thickness of a skin, as a share of the shape that was cut.
 const SKIN_REL_THICKNESS: f64 = 0.01;
 
 /// A face of a contact.
@@ -39,19 +39,19 @@ pub struct ContactSide {
     pub node: NodeId,
     /// Index into the scene's shapes.
     pub shape: u32,
-    /// The ID by which it is written in the operand, and that of the copy of which it is a part.
+    /// The ID by which the shape is written in the operand; `copy` is the ID of the copy of which the shape is a part.
     pub id: u32,
     pub copy: Option<u32>,
-    /// The operand that it is or is a part of.
+    /// The operand that the shape is, or of which it is a part.
     pub operand: NodeId,
     pub part: FaceId,
     /// Whether the face is round.
     pub round: bool,
     /// The longest side of the shape's bounds, in the coordinates of the scene.
     pub size: f64,
-    /// How much longer its lengths are there than in its record, on the average.
+    /// The factor from lengths in the shape's record to lengths in the scene, on average over all directions.
     pub stretch: f64,
-    /// Whether the shape cuts: what is in the shape is not in the result.
+    /// Whether the shape cuts: the points in the shape are not in the result.
     pub cuts: bool,
 }
 
@@ -59,25 +59,24 @@ pub struct ContactSide {
 pub struct FaceContact {
     /// The difference or intersection.
     pub operation: NodeId,
-    /// The face of each operand, the second operand's first unless only the other one cuts.
+    /// The face of each operand, the tool's first. The tool is the second operand, unless only the first one cuts.
     pub sides: [ContactSide; 2],
-    /// A point of both, in the coordinates of the scene that is drawn, or of the largest object of
-    /// which the operation is a part.
+    /// A point of both faces, in the coordinates of the scene that is drawn, or of the largest object of which the
+    /// operation is a part.
     pub witness: Vec3,
-    /// Whether the tool leaves no more than a skin of the shape it cuts: reaching any further, it
-    /// would leave nothing.
+    /// Whether the tool leaves no more than a skin of the shape that it cuts: a longer tool would leave nothing.
     pub skin: bool,
 }
 
-/// For each face of a tool the first face that lies in it so that what is left of the two is up to
-/// rounding, and is seen.
+/// Finds for each face of a tool the first face that lies in it, if rounding decides what is left of the two and this
+/// can be seen.
 pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<FaceContact> {
     let cuts = |n: &Node| matches!(n, Node::Difference(..) | Node::Intersection(..));
     if !scene.nodes.iter().any(cuts) {
         return Vec::new();
     }
     let tree = Tree::new(scene, bounds, roots);
-    // Only where there are quadrics can others lie in them.
+    // Round faces can lie in a quadric only if there are quadrics.
     let of = |leaf: &Leaf| Some(&scene.shapes[leaf.shape? as usize].geometry);
     let is_quadric = |leaf: &Leaf| of(leaf).is_some_and(|g| g.character().is_quadric);
     let quadrics = tree.leaves.iter().any(is_quadric);
@@ -118,7 +117,7 @@ pub fn search(scene: &Scene, bounds: &[NodeBounds], roots: &[NodeId]) -> Vec<Fac
     found
 }
 
-/// Adds round faces once more as the quadrics that they lie in, from this one on.
+/// Adds the round faces from index `from` on once more, as the quadrics in which they lie.
 fn as_quadrics(geometry: &Geometry, m: &Matrix, from: usize, all: &mut Vec<Face>) {
     for i in from..all.len() {
         let Face { leaf, part, .. } = all[i];
@@ -139,15 +138,15 @@ fn as_quadrics(geometry: &Geometry, m: &Matrix, from: usize, all: &mut Vec<Face>
     }
 }
 
-/// A pair of faces as something is said of it once: the operation, the tool's shape and face, and
-/// which of the two cut.
+/// The key by which a contact is reported once: the operation, the tool's shape and face, and whether the tool and the
+/// other shape cut.
 type Done = (NodeId, (u32, FaceId), (bool, bool));
 
 struct Search<'a> {
     scene: &'a Scene,
     tree: &'a Tree,
     points: Points<'a>,
-    /// The contacts found so far.
+    /// The keys of the contacts that have been found.
     done: FxHashSet<Done>,
 }
 
@@ -160,8 +159,8 @@ struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// The smaller shape's size. Two that have no end have no size: how far from the origin they are
-    /// stands for it, and where they go through the origin any length will do.
+    /// The size of the smaller shape. If both shapes are infinite, their distance from the origin stands for it, or 1
+    /// if they go through the origin.
     fn size(&self, p: Vec3) -> f64 {
         let size = self.leaves[0].size.min(self.leaves[1].size);
         if size.is_finite() {
@@ -189,7 +188,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Looks at pairs of faces of one group.
+    /// Compares the pairs of faces of one group, and adds the contacts to `found`.
     fn group(&mut self, all: &[Face], pairs: &[Meeting], found: &mut Vec<FaceContact>) {
         let tree = self.tree;
         for pair in pairs {
@@ -231,14 +230,14 @@ impl<'a> Search<'a> {
         Some(&self.scene.shapes[leaf.shape? as usize].geometry)
     }
 
-    /// Equal shapes in equal places: their surfaces are one, and decided exactly.
+    /// Whether the two shapes and their places are equal: then their surfaces are one, and decided exactly.
     fn identical(&self, pair: &Pair) -> bool {
         let [a, b] = pair.leaves;
         a.matrix == b.matrix && self.geometry(a) == self.geometry(b)
     }
 
-    /// Whether the tool holds the corners of the workpiece's bounds, these drawn in by the thickness of
-    /// a skin.
+    /// Whether the tool holds the corners of the workpiece's bounds after they are moved inwards by the thickness of a
+    /// skin, and nothing but cuts lies between the workpiece and the operation.
     fn leaves_a_skin(&mut self, pair: &Pair) -> bool {
         let tool = self.tool(pair);
         let other = pair.leaves[1 - tool];
@@ -294,14 +293,14 @@ impl<'a> Search<'a> {
         [tool, 1 - tool].map(|i| side(pair.faces[i], pair.leaves[i]))
     }
 
-    /// A point at which both operands change sides, one into the result and one out of it, within
-    /// the distance that counts as none, and at which that can be seen.
+    /// A point at which the faces meet and this can be seen: both operands change sides there, one into the result and
+    /// one out of it, within the distance that counts as none.
     fn witness(&mut self, pair: &Pair) -> Option<Vec3> {
         let [f, g] = pair.faces;
         let [l, k] = pair.leaves;
         let (samples, needed): (Vec<Sample>, usize) = match &f.form {
             FaceShape::Flat { point, .. } => (sample::flat(f, g, pair.size(*point)), 1),
-            // Round surfaces can touch in a point or a line; two odd points are no chance.
+            // Round surfaces can touch in a point or a line, but hardly at two irregular points by chance.
             FaceShape::Round { .. } => (
                 sample::round((f, l, self.geometry(l)?), (g, k, self.geometry(k)?)),
                 2,
@@ -323,7 +322,7 @@ impl<'a> Search<'a> {
     fn shows(&mut self, pair: &Pair, p: Vec3, n: Vec3) -> bool {
         let magnitude = p.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let reach = FACE_REL_GAP * pair.size(p) + ROUNDING * magnitude;
-        // Both shapes first: that is quick.
+        // The two shapes are asked first, since this is quick.
         if !self.change_sides(pair, p, n, reach) {
             return false;
         }
@@ -337,7 +336,7 @@ impl<'a> Search<'a> {
             return false;
         }
         let [u, v] = across(n);
-        // The corners of a triangle: whatever line goes through the middle, some are on either side.
+        // The corners of a triangle: every line through the middle has some of them on either side.
         [(1.0, 0.1), (-0.6, 0.8), (-0.4, -0.9)]
             .into_iter()
             .all(|(a, b)| {
@@ -346,7 +345,7 @@ impl<'a> Search<'a> {
             })
     }
 
-    /// Whether both shapes change sides at a point.
+    /// Whether both shapes change sides at a point, within `reach` along the normal `n`.
     fn change_sides(&mut self, pair: &Pair, p: Vec3, n: Vec3, reach: f64) -> bool {
         pair.faces.iter().all(|face| {
             let sides = [-reach, reach].map(|by| self.points.in_leaf(face.leaf, add(p, n, by)));
@@ -354,8 +353,8 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Whether both operands do, one into the result and the other out of it, and that decides what
-    /// is seen. `near`: all leaves that may hold a point around there.
+    /// Whether both operands change sides at a point, one into the result and the other out of it, and this decides
+    /// what is seen. `near`: all leaves that may hold a point around there.
     fn meets(&mut self, pair: &Pair, p: Vec3, n: Vec3, reach: f64, near: &[u32]) -> bool {
         let sides = [add(p, n, -reach), add(p, n, reach)];
         if let Some((low, high)) = self.scene.render.and_then(|r| r.clip)
@@ -383,7 +382,7 @@ impl<'a> Search<'a> {
         if self.scene.render.is_none() {
             return true;
         }
-        // Something else that changes sides there would have its own say in what is left.
+        // Another part that changes sides there would also decide what is left.
         match [below, above].map(|answers| self.tree.decides(pair.operation, &answers)) {
             [Some(x), Some(y)] => x == y,
             _ => false,

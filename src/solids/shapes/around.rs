@@ -4,7 +4,7 @@ use crate::geometry::array::length;
 use crate::geometry::{Aabb, Matrix};
 use crate::scene::Vec3;
 
-/// The convex hull of moved ellipsoids, boxed.
+/// The box around moved ellipsoids, circles and tori, and so around their convex hull.
 pub(super) struct Around<'a> {
     matrix: &'a Matrix,
     out: Aabb,
@@ -22,20 +22,20 @@ impl<'a> Around<'a> {
         self.out
     }
 
-    /// An ellipsoid with axes along the coordinate axes: its image reaches |row · diag(axes)| from
-    /// the image of its centre.
+    /// Adds an ellipsoid with axes along the coordinate axes. Its image reaches |row · diag(axes)| from the image of
+    /// its centre.
     pub(super) fn ellipsoid(self, centre: Vec3, axes: Vec3) -> Self {
         self.add(centre, |r| {
             length([r[0] * axes[0], r[1] * axes[1], r[2] * axes[2]])
         })
     }
 
-    /// A circle about the y axis.
+    /// Adds a circle about the y axis.
     pub(super) fn ring(self, y: f64, radius: f64) -> Self {
         self.add([0.0, y, 0.0], |r| libm::hypot(r[0] * radius, r[2] * radius))
     }
 
-    /// The Minkowski sum of a circle about the y axis and a ball.
+    /// Adds a torus: the Minkowski sum of a circle about the y axis and a ball.
     pub(super) fn torus(self, major: f64, minor: f64) -> Self {
         self.add([0.0; 3], |r| {
             major * libm::hypot(r[0], r[2]) + minor * length([r[0], r[1], r[2]])
@@ -63,7 +63,7 @@ impl<'a> Around<'a> {
 /// half-widths are then grown: their relative error is of the order of the residual.
 const TRUSTED_RESIDUAL: f64 = 1e-10;
 
-/// xᵀAx + 2bᵀx + c ≤ 0 with a positive definite A is an ellipsoid about −A⁻¹b whose half-width
+/// A box around a quadric. xᵀAx + 2bᵀx + c ≤ 0 with a positive definite A is an ellipsoid about −A⁻¹b whose half-width
 /// along axis i is √(k·(A⁻¹)ᵢᵢ), k = bᵀA⁻¹b − c. Every other quadric may be unbounded.
 pub(super) fn quadric_bounds(q: &[f64; 16]) -> Aabb {
     let s = |i: usize, j: usize| q[4 * i + j] / 2.0 + q[4 * j + i] / 2.0;

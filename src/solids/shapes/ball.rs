@@ -4,21 +4,21 @@ use crate::geometry::Matrix;
 use crate::scene::Vec3;
 use crate::solids::contacts::directions::{Sample, direction as spread};
 
-/// The direction of a vector; any for one that has none.
+/// The unit vector in the direction of a vector; an arbitrary one if the vector has no direction.
 pub fn direction(v: Vec3) -> Vec3 {
     super::circle::unit(v)
 }
 
-/// A length moved outwards; `None` where less than half would be left of it.
+/// The length `x` plus `by`, which may be negative. `None` if less than half of `x` would be left.
 pub fn grown(x: f64, by: f64) -> Option<f64> {
     Some(x + by).filter(|y| *y > x / 2.0)
 }
 
-/// How far from even a product of rotations may be.
+/// The relative error with which a product of rotations still counts as even.
 const EVEN: f64 = 1e-12;
 
-/// The factor of a matrix that moves, turns and scales evenly, and a little more: what it stretches
-/// most is stretched by less.
+/// The factor of a matrix that moves, turns and scales evenly, rounded up: no vector is stretched by more. `None` for
+/// other matrices.
 pub fn even_scale(m: &Matrix) -> Option<f64> {
     let column = |j: usize| -> Vec3 { std::array::from_fn(|i| m.0[i][j]) };
     let dot = |a: Vec3, b: Vec3| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -29,7 +29,7 @@ pub fn even_scale(m: &Matrix) -> Option<f64> {
     even.then(|| scale.sqrt() * (1.0 + EVEN))
 }
 
-/// Points of an ellipsoid, and normals.
+/// Points of an ellipsoid with normals.
 pub fn samples(centre: Vec3, axes: Vec3) -> Vec<Sample> {
     const COUNT: u32 = 24;
     (0..COUNT)

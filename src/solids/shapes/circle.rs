@@ -3,7 +3,7 @@
 use crate::scene::Vec3;
 use crate::solids::contacts::quadric::QuadricMatrix;
 
-/// Corners of the polygon around a circle.
+/// The number of corners of the polygon around a circle.
 const CORNERS: usize = 64;
 
 /// The corners of a polygon around a circle about the y axis.
@@ -15,7 +15,7 @@ pub fn around(radius: f64, y: f64) -> impl Iterator<Item = Vec3> {
     })
 }
 
-/// The point of a circle that is furthest in a direction.
+/// The point of a circle about the y axis that is furthest in a direction.
 pub fn towards(d: Vec3, radius: f64, y: f64) -> Vec3 {
     let [x, z] = unit([d[0], d[2]]);
     [radius * x, y, radius * z]
@@ -29,7 +29,7 @@ pub fn cone(slope: f64, start: f64) -> QuadricMatrix {
     out
 }
 
-/// A vector of length 1 in the same direction; any for one without direction.
+/// The unit vector in the direction of a vector; an arbitrary one if the vector has no direction.
 pub fn unit<const N: usize>(v: [f64; N]) -> [f64; N] {
     let largest = v.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     if largest == 0.0 || !largest.is_finite() {

@@ -18,14 +18,15 @@ pub struct Cone {
 }
 
 impl Cone {
-    /// x²/r² + z²/r² − y²/h², times the squares of both.
+    /// (x²/r² + z²/r² − y²/h²) · r²h².
     fn form_at<N: Scalar>(&self, p: Vec3) -> N {
         let [x, y, z] = p.map(|c| N::of(c).square());
         let [h, r] = [self.height, self.radius].map(|c| N::of(c).square());
         (x + z) * h - y * r
     }
 
-    /// The half of the cone from the apex upwards, where `along` is a height above the apex.
+    /// The function of one half of the cone. `along` is the height of the point from the apex towards the base, and
+    /// `up` is the sign of y in that direction.
     fn half(&self, p: Vec3, along: f64, up: f64) -> Taylor {
         let (height, radius) = (self.height.abs(), self.radius);
         let around = p[0].hypot(p[2]);

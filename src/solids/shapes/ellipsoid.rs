@@ -15,7 +15,7 @@ pub struct Ellipsoid {
 }
 
 impl Ellipsoid {
-    /// x²/a² + y²/b² + z²/c² − 1, times the squares of the semi-axes.
+    /// (x²/a² + y²/b² + z²/c² − 1) · a²b²c².
     fn form_at<N: Scalar>(&self, p: Vec3) -> N {
         let [x, y, z] = p.map(|x| N::of(x).square());
         let [a, b, c] = self.semi_axes.map(|x| N::of(x).square());

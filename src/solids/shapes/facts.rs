@@ -5,50 +5,52 @@ use crate::scene::Vec3;
 use crate::solids::contacts::face::Faces;
 
 /// The questions that every shape answers, in its own coordinates. No method has a default: whoever adds a shape gives
-/// an answer to each question. What few shapes answer is a match over [`AnyShape`](super::AnyShape) where it is asked.
+/// an answer to each question. A question that few shapes answer is a match over [`AnyShape`](super::AnyShape) in the
+/// place where it is asked.
 pub trait Facts {
     fn character(&self) -> Character;
 
     /// Whether the shape is a solid that holds every point between two of its points.
     fn is_convex(&self) -> bool;
 
-    /// A box around it, moved by an affine matrix, that is never too small.
+    /// A box around the shape after an affine matrix has moved it. The box is never too small.
     fn bounds(&self, m: &Matrix) -> Aabb;
 
-    /// The shape's point that is furthest in a direction; of a geodesic sphere the corner that lies next to it. `None`
-    /// for shapes without end.
+    /// The point of the shape that is furthest in a direction; for a geodesic sphere the corner that is nearest to the
+    /// direction. `None` for planes, half-spaces and quadrics.
     fn support(&self, d: Vec3) -> Option<Support>;
 
     /// Whether a point of finite coordinates is in the solid or on its boundary, decided exactly on the numbers
     /// of the record; surfaces hold nothing.
     fn holds(&self, p: Vec3) -> bool;
 
-    /// A function that is below zero inside, near a point. Nobody asks surfaces.
+    /// The shape's function near a point: it is below zero inside. Surfaces are not asked.
     fn taylor(&self, p: Vec3) -> Taylor;
 
-    /// Adds those that can lie in a face of another shape.
+    /// Adds the faces that can lie in a face of another shape.
     fn faces(&self, out: &mut Faces);
 }
 
 /// The traits of a shape that do not depend on a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Character {
-    /// Whether the shape is a solid of revolution about the y axis.
+    /// Whether the shape is a solid of revolution about the y axis, or would be one if it were moved and scaled, as
+    /// spheres and ellipsoids would.
     pub is_round: bool,
-    /// Whether the shape is a flat surface, and the same all over.
+    /// Whether the shape is a flat surface without shading normals.
     pub is_flat: bool,
-    /// Whether the shape is one quadric, whatever its numbers.
+    /// Whether the shape is a quadric, general or named. Spheres, ellipsoids and cones do not count.
     pub is_quadric: bool,
     /// Whether the shape has shading normals of its own.
     pub is_smooth: bool,
     /// Whether the shape has colours of its own.
     pub has_colours: bool,
-    /// Whether parts of its surface can lie in each other, where there is then nothing.
+    /// Whether parts of the surface can coincide, where they then cancel each other out.
     pub may_cover_itself: bool,
 }
 
 impl Character {
-    /// A shape like any other.
+    /// The character of a shape without any of these traits.
     pub const PLAIN: Character = Character {
         is_round: false,
         is_flat: false,
@@ -72,7 +74,7 @@ pub struct Ball {
 #[derive(Debug, Clone, Copy)]
 pub struct Support {
     pub point: Vec3,
-    /// A way from there into the shape, of any length; `None` for surfaces.
+    /// A vector from the point into the shape, of any length; `None` for surfaces.
     pub inwards: Option<Vec3>,
 }
 
@@ -117,7 +119,7 @@ impl Taylor {
         Taylor::flat(f64::MAX, [1.0, 0.0, 0.0])
     }
 
-    /// A function of the distance from the y axis and the height, from its two slopes.
+    /// A function of the distance from the y axis and of the height, given by its value `f` and its slopes along both.
     pub fn turned([x, _, z]: Vec3, f: f64, out: f64, up: f64) -> Taylor {
         let around = x.hypot(z);
         let (cos, sin) = match around > 0.0 {

@@ -17,11 +17,12 @@ pub struct GeodesicSphere {
     pub splits: u32,
 }
 
-/// The ball that a geodesic sphere holds after 0, 1, 2 and more splits, as a share of its circumscribed one, and a
-/// little less: 0.7946, 0.9341, 0.9822 and 0.9954. Each split adds corners, and takes nothing away.
+/// The radius of a ball that a geodesic sphere holds after 0, 1, 2 and more splits, as a share of the circumscribed
+/// radius. The shares are rounded down from 0.7946, 0.9341, 0.9822 and 0.9954. Each split adds corners, and takes
+/// nothing away.
 const HELD: [f64; 4] = [0.79, 0.93, 0.98, 0.99];
 
-/// More than the corners are rounded by in doubles, after any number of splits, of the sphere of radius 1.
+/// An upper bound on the rounding of the corners in doubles, after any number of splits, for the sphere of radius 1.
 const ROUNDED: f64 = 1e-13;
 
 impl GeodesicSphere {
@@ -48,7 +49,8 @@ impl Facts for GeodesicSphere {
         Some(Support::towards(point, [0.0; 3]))
     }
 
-    /// In double-double: the corners are no numbers of the record.
+    /// Decided in double-double where doubles leave a doubt. Exact arithmetic does not help: the corners are not
+    /// numbers of the record.
     fn holds(&self, p: Vec3) -> bool {
         let away = p[0].hypot(p[1]).hypot(p[2]);
         match away {

@@ -9,7 +9,7 @@ use crate::solids::contacts::face::{FaceId, Faces};
 
 pub struct HalfSpace {
     pub abcd: [f64; 4],
-    /// Whether the half-space has an inside.
+    /// Whether the shape is a half-space, which has an inside, and not a plane.
     pub solid: bool,
 }
 

@@ -98,7 +98,7 @@ impl AnyShape<'_> {
     }
 }
 
-/// The same expression for every shape.
+/// Evaluates one expression for the shape, of whichever kind it is.
 macro_rules! each {
     ($geometry:expr, $s:ident => $e:expr) => {
         match AnyShape::of($geometry) {
@@ -148,7 +148,7 @@ impl Facts for Geometry {
 }
 
 impl Geometry {
-    /// The ellipsoid that it is or has for its hull; `None` for all that is not round like that.
+    /// The ellipsoid that the shape is, or the sphere around a geodesic sphere. `None` for other shapes.
     pub fn ball(&self) -> Option<Ball> {
         match AnyShape::of(self) {
             AnyShape::Ellipsoid(s) => Some(Ball {
@@ -177,7 +177,7 @@ impl Geometry {
         }
     }
 
-    /// How many pieces a test of a point goes through, of shapes that have any number of them; else none.
+    /// The number of profile points that a test of a point goes through; 0 for shapes without a profile.
     pub fn pieces(&self) -> usize {
         match AnyShape::of(self) {
             AnyShape::Revolution(s) => s.profile.len(),
@@ -194,7 +194,7 @@ impl Geometry {
         }
     }
 
-    /// a, b, c, d of the plane that it is or that bounds it, and nothing else.
+    /// a, b, c, d of the plane that the shape is, or that bounds a half-space. `None` for other shapes.
     pub fn plane(&self) -> Option<[f64; 4]> {
         match *self {
             Geometry::Plane(abcd) | Geometry::HalfSpace(abcd) => Some(abcd),

@@ -3,8 +3,8 @@
 use crate::geometry::sign::{Exact, Rounded, Scalar, at_most_zero};
 use crate::scene::Vec3;
 
-/// Whether a profile that ends at the axis, or is closed by discs, goes one way along it and turns to
-/// one side only.
+/// Whether the solid of a profile is convex: the profile, closed by discs where it does not end at the axis, goes one
+/// way along the axis and turns to one side only.
 pub fn is_convex(profile: &[[f64; 2]]) -> bool {
     let (first, last) = (profile[0], profile[profile.len() - 1]);
     if first[1] == last[1] {
@@ -28,8 +28,8 @@ pub fn is_convex(profile: &[[f64; 2]]) -> bool {
     along && turns
 }
 
-/// Negative where a point at a height between those of a piece's ends, which differ, is nearer to the
-/// axis than the piece; zero where it is on the piece.
+/// A number that is negative where a point is nearer to the axis than a piece of the profile, and zero where it is on
+/// the piece. The height of the point is between those of the piece's ends, which differ.
 fn before<N: Scalar>([low, high]: [[f64; 2]; 2], p: Vec3) -> N {
     let [a, b, c, d, y] = [low[0], low[1], high[0], high[1], p[1]].map(N::of);
     let across = N::of(p[0]).square() + N::of(p[2]).square();
@@ -67,13 +67,13 @@ pub fn holds(profile: &[[f64; 2]], p: Vec3) -> bool {
     inside || (met || p[1] == first[1] || p[1] == last[1]) && is_on_surface(profile, p)
 }
 
-/// Whether a point that is not further out than a piece is on it.
+/// Whether a point is on a piece of the profile, if it is not further out than the piece.
 fn is_on(piece: [[f64; 2]; 2], p: Vec3) -> bool {
     at_most_zero(-before::<Rounded>(piece, p), || -before::<Exact>(piece, p))
 }
 
-/// Whether a point lies on the surface. Where pieces lie in one another an even number of times there is
-/// none, nor is there on the axis: what counts is how many leave the point in each direction.
+/// Whether a point lies on the surface. Where an even number of pieces coincide there is no surface, nor is there one
+/// on the axis. So the pieces that leave the point in each direction are counted.
 fn is_on_surface(profile: &[[f64; 2]], p: Vec3) -> bool {
     let (Some(&first), Some(&last)) = (profile.first(), profile.last()) else {
         return false;
@@ -82,9 +82,9 @@ fn is_on_surface(profile: &[[f64; 2]], p: Vec3) -> bool {
     let discs = discs.iter().filter(|_| first != last);
     let pieces = profile.windows(2).map(|w| [w[0], w[1]]);
     let square = Exact::of(p[0]).square() + Exact::of(p[2]).square();
-    // How far a point at the same height is from the axis, compared with this one.
+    // Compares the distance `x` from the axis with that of the point.
     let side = |x: f64| Exact::of(x).square().cmp(&square);
-    // Pieces that go up from here, and down, each by its direction.
+    // The directions of the pieces that leave the point upwards, and downwards. Two equal ones cancel each other out.
     let mut leaving: [Vec<[Exact; 2]>; 2] = [Vec::new(), Vec::new()];
     let mut level = [false; 2];
     for w in pieces.chain(discs.copied()) {
@@ -124,7 +124,7 @@ fn is_on_surface(profile: &[[f64; 2]], p: Vec3) -> bool {
     level.contains(&true) || leaving.iter().any(|l| !l.is_empty())
 }
 
-/// The points before and behind one of a profile, closed over the axis or in itself.
+/// The points before and behind point `i` of a profile that is closed, over the axis or in itself.
 pub fn neighbours(profile: &[[f64; 2]], i: usize) -> [[f64; 2]; 2] {
     let last = profile.len() - 1;
     let ring = profile[0] == profile[last];
@@ -147,7 +147,8 @@ pub fn neighbours(profile: &[[f64; 2]], i: usize) -> [[f64; 2]; 2] {
     [before, behind]
 }
 
-/// How far a point is from a profile, closed as the language closes it, and the direction from there.
+/// The distance of a point from a profile, closed as the language closes it, and the components of the unit vector from
+/// the nearest point of the profile to the point.
 pub fn nearest(profile: &[[f64; 2]], x: f64, y: f64) -> (f64, f64, f64) {
     let (first, last) = (profile[0], profile[profile.len() - 1]);
     let ends = [[0.0, first[1]], [0.0, last[1]]];
@@ -157,7 +158,7 @@ pub fn nearest(profile: &[[f64; 2]], x: f64, y: f64) -> (f64, f64, f64) {
     for (a, b) in pieces.chain(closing.into_iter().flatten()) {
         let (u, v) = (b[0] - a[0], b[1] - a[1]);
         let square = u * u + v * v;
-        // What lies on the axis is no surface.
+        // A piece on the axis is no surface.
         if square == 0.0 || a[0] == 0.0 && b[0] == 0.0 {
             continue;
         }
@@ -174,14 +175,14 @@ pub fn nearest(profile: &[[f64; 2]], x: f64, y: f64) -> (f64, f64, f64) {
     best
 }
 
-/// Twice the area that a closed polygon runs around, negative where it does so clockwise.
+/// Twice the area of a polygon, negative if the polygon goes around clockwise.
 pub fn twice_area(polygon: &[[f64; 2]]) -> f64 {
     let n = polygon.len();
     let sides = (0..n).map(|i| [polygon[i], polygon[(i + 1) % n]]);
     sides.map(|[p, q]| p[0] * q[1] - q[0] * p[1]).sum()
 }
 
-/// A profile closed over the axis, no point twice in a row.
+/// A profile closed over the axis as a polygon, without equal points in a row.
 pub fn closed(profile: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut closed: Vec<[f64; 2]> = Vec::with_capacity(profile.len() + 2);
     let (Some(&first), Some(&last)) = (profile.first(), profile.last()) else {

@@ -23,7 +23,7 @@ pub enum Quadric<'a> {
 }
 
 impl Quadric<'_> {
-    /// The quadric's polynomial, without divisions.
+    /// The quadric's polynomial, multiplied by its denominators so that there are no divisions.
     fn form_at<N: Scalar>(&self, p: Vec3) -> N {
         let square = |x: f64| N::of(x).square();
         let [x, y, z] = p;
@@ -52,7 +52,7 @@ impl Quadric<'_> {
         }
     }
 
-    /// The symmetric matrix.
+    /// The symmetric matrix Q with which the quadric is xᵀQx ≤ 0.
     pub fn matrix(&self) -> QuadricMatrix {
         let square = |x: f64| 1.0 / (x * x);
         let (diagonal, linear) = match *self {

@@ -14,8 +14,8 @@ pub struct Revolution<'a> {
     pub colours: &'a [Rgb],
 }
 
-/// Most points of a profile that is examined point by point. A longer one is bounded before it is moved, to keep the
-/// work linear, and has no hull.
+/// The most points of a profile that is examined point by point. For a longer profile the box is made before the shape
+/// is moved, to keep the work linear, and there is no hull.
 pub const MAX_EXAMINED_POINTS: usize = 64;
 
 impl Facts for Revolution<'_> {
@@ -50,7 +50,7 @@ impl Facts for Revolution<'_> {
         let indices = 0..profile.len();
         let i = indices.max_by(|&i, &j| far(&profile[i]).total_cmp(&far(&profile[j])))?;
         let [x, y] = profile[i];
-        // Half-way between the two pieces that meet there.
+        // The way inwards is halfway between the two pieces that meet at the point.
         let [a, b] = profile::neighbours(profile, i).map(|q| circle::unit([q[0] - x, q[1] - y]));
         let [out, _, side] = circle::towards(d, 1.0, 0.0);
         Some(Support {

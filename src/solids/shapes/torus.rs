@@ -17,8 +17,8 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// (x² + y² + z² + R² − r²)² − 4R²(x² + z²): at most zero in the tube and, by the even-odd rule, not
-    /// in the lemon.
+    /// (x² + y² + z² + R² − r²)² − 4R²(x² + z²). The value is at most zero in the tube and, by the even-odd rule, above
+    /// zero in the lemon, where the tube overlaps itself.
     fn quartic_at<N: Scalar>(&self, p: Vec3) -> N {
         let [x, y, z] = p.map(|c| N::of(c).square());
         let [major, minor] = [self.major, self.minor].map(|r| N::of(r).square());
@@ -65,7 +65,7 @@ impl Facts for Torus {
             }
         };
         let far = ring(-self.major);
-        // By the even-odd rule.
+        // By the even-odd rule the lemon is outside.
         ring(self.major).both(Taylor::flat(-far.f, far.g.map(|x| -x)))
     }
 

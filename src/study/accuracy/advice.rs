@@ -5,7 +5,7 @@ use super::number_format::{self, count, say};
 use super::report::{Advice, Report, Row};
 use crate::diagnostics::{Complaint, Language, Value};
 
-/// A report whose advice is in a language.
+/// A copy of a report, with the advice in a language.
 pub fn in_language(report: &Report, language: Language) -> Report {
     let mut own = report.clone();
     advise(&mut own, language);
@@ -39,7 +39,7 @@ pub fn advise(report: &mut Report, language: Language) {
     report.advice_parts = parts;
 }
 
-/// The advice where the independent tracer comes to other pixels, which comes before any other.
+/// The advice if the independent tracer comes to other pixels than the reference. It replaces all other advice.
 fn wrong_reference(report: &Report, language: Language) -> Option<Advice> {
     let checked = report.wrong_reference()?;
     let places: Vec<String> = (checked.wrong_pixels.iter())
@@ -64,7 +64,7 @@ fn wrong_reference(report: &Report, language: Language) -> Option<Advice> {
     })
 }
 
-/// Times of a machine that does other things, too.
+/// The advice not to trust the times, since the machine was busy with other programs.
 fn busy(report: &Report, language: Language) -> Option<Advice> {
     let times = number_format::times(language, report.too_busy()?);
     Some(Advice {
@@ -90,7 +90,7 @@ fn unchecked(report: &Report, language: Language) -> Option<Advice> {
     })
 }
 
-/// Kinds that the advice weighs: facets are no error of the scene as it is drawn.
+/// The kinds of error that the advice weighs. Facets are not among them: they are no error of the scene as it is drawn.
 const WEIGHED: [Kind; 3] = [Kind::Edges, Kind::Light, Kind::Numbers];
 
 /// The axes on which the default settings are inexact.
@@ -107,7 +107,7 @@ fn measured(report: &Report) -> impl Iterator<Item = Axis> {
     })
 }
 
-/// Whether no error of the default settings was left out: the scene has none on an axis, or it was measured.
+/// Whether all errors of the default settings are known: on each inexact axis the scene has none, or it was measured.
 fn is_whole(report: &Report) -> bool {
     let unasked = Complaint::new("accuracy-skip-unasked");
     let is_known = |axis: Axis| {
@@ -120,13 +120,14 @@ fn is_whole(report: &Report) -> bool {
     INEXACT.into_iter().all(is_known)
 }
 
-/// The kind whose error is largest at the default.
+/// The default row of the kind of error that is largest at the default settings.
 pub fn largest(report: &Report) -> Option<&Row> {
     let defaults = WEIGHED.into_iter().filter_map(|k| report.default_of(k));
     defaults.max_by(|a, b| a.steps().total_cmp(&b.steps()))
 }
 
-/// The most accurate of the cheapest configurations of the worst kind that reach the goal.
+/// The row to recommend for the largest kind of error: the most accurate of the cheapest ones that reach the goal.
+/// `None` if the default reaches the goal, or if no row does.
 pub fn recommended(report: &Report) -> Option<&Row> {
     let worst = largest(report)?;
     let goal = report.goal.steps;
@@ -193,7 +194,7 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
         let margin = report.margin(kind);
         match found {
             Some(row) => {
-                // Below twice the margin only that is known.
+                // An error below twice the margin is uncertain, and only this bound is told.
                 let reached = match row.steps() < 2.0 * margin {
                     true => say(
                         language,
@@ -212,7 +213,7 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
                         ("times", times.into()),
                     ],
                 );
-                // The cheapest way on the other axis, where it is dearer.
+                // On the other axis of the kind, the cheapest setting that reaches the goal is told if it costs more.
                 let other = report
                     .of_kind(kind)
                     .filter(|r| r.axis != row.axis && r.same_as.is_none())
@@ -254,7 +255,7 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
         }
         if !others.is_empty() {
             text.push(' ');
-            // The next round number above.
+            // The error is rounded up to hundredths.
             let above = match rest {
                 r if r < 0.01 => 0.01,
                 r => ((r * 100.0).floor() + 1.0) / 100.0,
@@ -276,9 +277,9 @@ fn limit(report: &Report, language: Language) -> Option<Advice> {
     })
 }
 
-/// Wrong pixels that are put right for little, or time that is saved unseen.
+/// The advice to change a setting that repairs wrong pixels at a low price, or that saves time without being seen.
 fn change(report: &Report, language: Language) -> Option<Advice> {
-    // Where it was stopped before a setting was timed there is nothing to be said.
+    // If the run was stopped before a setting was timed, there is no such advice.
     if !report.rows.iter().any(|r| r.times_default.is_some()) {
         return None;
     }
@@ -365,7 +366,8 @@ fn saved(row: &Row, time: f64, language: Language) -> String {
     say(language, "accuracy-advice-save", &values)
 }
 
-/// Single precision and its time, where that saves a tenth of the time and no pixel is off by more than a step.
+/// The row of single precision and its time as a multiple of the default's. `None` unless it saves a tenth of the time
+/// and no pixel is off by more than a step.
 fn single_precision(report: &Report) -> Option<(&Row, f64)> {
     let mut rows = report.rows.iter().filter(|r| r.is_on(Axis::Precision));
     let row = rows.find(|r| r.setting == "f32" && r.error.is_some() && r.off() == 0)?;
@@ -373,20 +375,20 @@ fn single_precision(report: &Report) -> Option<(&Row, f64)> {
     (saving(report, time).is_some_and(is_tenth)).then_some((row, time))
 }
 
-/// The share of the time that a setting saves, where that is sure; `time` is that of the setting over that of the
-/// default. A tenth is recommended, so it must be surer.
+/// The share of the default's time that a setting saves; `None` if this is not certain. `time` is a multiple of the
+/// default's time. A saving of a tenth is recommended, and has to exceed the noise twice.
 fn saving(report: &Report, time: f64) -> Option<f64> {
     let (share, noise) = (1.0 - time, report.noise.relative);
     let least = if is_tenth(share) { 2.0 * noise } else { noise };
     (report.too_busy().is_none() && share > least).then_some(share)
 }
 
-/// Whether a share is a tenth at least, as it is written in per cent.
+/// Whether a share is at least a tenth once it is rounded to whole percents.
 fn is_tenth(share: f64) -> bool {
     (100.0 * share).round() >= 10.0
 }
 
-/// Whether another depth of rays would show, or would do.
+/// The advice on depth: whether more depth would show, or less would be enough.
 fn depth(report: &Report, language: Language) -> Option<Advice> {
     let number = |row: &Row| row.setting.parse::<u32>().ok();
     let rows = || {
@@ -398,7 +400,7 @@ fn depth(report: &Report, language: Language) -> Option<Advice> {
     let deeper = rows().filter(|(depth, r, _)| *depth > own && r.off() < off);
     let is_alike = |r: &Row| r.off() <= off && r.steps() <= report.goal.steps / 10.0;
     let flatter = || rows().filter(|(depth, r, _)| *depth < own && is_alike(r));
-    // Fewer rays take no longer: a time that says so is no reason to set anything.
+    // Fewer rays cannot take longer. A time that claims so is noise, and no reason to recommend less.
     let may_save = |time: f64| report.too_busy().is_some() || time <= 1.0 + report.noise.relative;
     let less = flatter().filter(|(.., time)| may_save(*time));
     let mut values = vec![("depth", Value::from(own.to_string()))];
@@ -429,7 +431,7 @@ fn depth(report: &Report, language: Language) -> Option<Advice> {
     })
 }
 
-/// `saves 12 %` and its like; `time` is that of a setting over that of the default.
+/// The words for a price in time, as `saves 12 %`. `time` is a multiple of the default's time.
 fn price(report: &Report, time: f64, language: Language) -> String {
     let percent = |share: f64| [("percent", number_format::percent(language, share).into())];
     if report.too_busy().is_some() {
@@ -442,7 +444,7 @@ fn price(report: &Report, time: f64, language: Language) -> String {
     }
 }
 
-/// Whether the advice speaks of a row.
+/// Whether the advice mentions the option of a row.
 pub fn names(report: &Report, row: &Row) -> bool {
     let option = format!("`{}`", row.option);
     report
@@ -477,7 +479,7 @@ fn numbers(report: &Report, language: Language) -> Option<Advice> {
         let Some(time) = row.times_default else {
             continue;
         };
-        // It is recommended already.
+        // The advice to save time recommends it already.
         if name == "f32" && single_precision(report).is_some() {
             continue;
         }

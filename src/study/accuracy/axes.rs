@@ -7,7 +7,7 @@ use crate::study::plain::{self, solver};
 use crate::trace::plan::{Effect, Plan};
 use crate::trace::switches::Without;
 
-/// The reason why an axis is not run, as the name of a message; `None` where it is.
+/// The reason why an axis is not run, as the name of a message; `None` if it is run.
 pub fn skipped(axis: Axis, runner: &Runner) -> Option<&'static str> {
     let plan = &runner.tracer().plan;
     match axis {
@@ -30,12 +30,12 @@ pub fn skipped(axis: Axis, runner: &Runner) -> Option<&'static str> {
     }
 }
 
-/// The reason why the plain kernel is not run, as the name of a message; `None` where it is.
+/// The reason why the plain kernel is not run, as the name of a message; `None` if it is run.
 pub fn no_plain(runner: &Runner) -> Option<&'static str> {
     plain::fits(runner.tracer(), runner.scene()).err()
 }
 
-/// The effects that a scene calls for and that can be taken out.
+/// The effects that a scene calls for and that can be taken out, each with the switch that does so.
 pub fn effects(plan: &Plan) -> Vec<(&'static str, Without)> {
     let none = Without::default;
     let textures = [

@@ -1,4 +1,4 @@
-//! Whether the reference is right, by a tracer that shares no code with it.
+//! Checks the reference by a tracer that shares no code with it.
 
 use super::configurations::Settings;
 use super::report::Checked;
@@ -19,17 +19,17 @@ const MAX_PIXELS: usize = 960;
 /// Pixels that are followed before the clock is looked at.
 const BATCH_PIXELS: usize = 40;
 
-/// Channels that differ by more, linear, and of what is above 1 by a larger share, are wrong: a tenth of a
-/// thousandth of a step. Doubles and double-double come within 1e-10.
+/// The difference in linear light above which a channel is wrong, relative to channels above 1: a tenth of a thousandth
+/// of a step. Doubles and double-double come within 1e-10.
 pub const WRONG: f64 = 1e-7;
 
-/// Rays of a camera are doubles. One is the right one, rounded, if it is off by no more than this. Those of the gallery
-/// and the hard scenes are off by less than 1e-14, as `tests/accuracy.rs` measures; what is left is for a view nearly
-/// along the up vector and for projection matrices, whose inverses magnify roundings.
+/// The largest error of a camera ray in doubles that is still the right ray, rounded. The rays of the gallery and the
+/// hard scenes are off by less than 1e-14, as `tests/accuracy.rs` measures. The rest is left for a view nearly along
+/// the up vector and for projection matrices, whose inverses magnify roundings.
 pub const SAME_RAY: f64 = 1e-12;
 
-/// Pixels of tiles in an order in which every second one lies on the edge of an object, as far as there
-/// are such.
+/// The pixels of tiles in random order, each with its number among all pixels. About every second pixel lies on the
+/// edge of an object, while there are such pixels.
 pub fn order(tiles: &[Tile], seen: &[Option<VisibleObject>]) -> Vec<(usize, [u32; 2])> {
     let (mut edges, mut others) = (Vec::new(), Vec::new());
     let mut first = 0;
@@ -51,7 +51,7 @@ pub fn order(tiles: &[Tile], seen: &[Option<VisibleObject>]) -> Vec<(usize, [u32
     shuffle(&mut edges, 1);
     shuffle(&mut others, 2);
     let mut random = Random::new(3);
-    // Where there are few edges, more of the rest.
+    // Once all pixels of one list are taken, the rest of the other list follows.
     let mut all = Vec::new();
     let (mut edges, mut others) = (edges.into_iter().peekable(), others.into_iter().peekable());
     while edges.peek().is_some() || others.peek().is_some() {
@@ -61,14 +61,14 @@ pub fn order(tiles: &[Tile], seen: &[Option<VisibleObject>]) -> Vec<(usize, [u32
     all
 }
 
-/// The largest difference of a channel, of what is above 1 as a share.
+/// The largest difference of two colours in a channel, relative to channels above 1.
 fn difference(ours: Rgb, right: Rgb) -> f64 {
     let off = (0..3).map(|c| (ours[c] - right[c]).abs() / right[c].abs().max(1.0));
     off.fold(0.0, f64::max)
 }
 
-/// Whether a pixel is off only since the ray of its camera is rounded to doubles: the independent tracer sees the same
-/// colour along that very ray, or along one whose direction is another by a rounding, where an edge runs between them.
+/// Whether a pixel is wrong only since its camera ray is rounded to doubles. If so, the independent tracer sees the
+/// same colour along the rounded ray; or, where an edge runs close by, along a ray whose direction is one rounding off.
 fn is_camera_rounding(naive: &Naive<Wide>, runner: &Runner, place: [u32; 2], ours: Rgb) -> bool {
     let [width, height] = runner.size;
     let view = View::new(runner.camera(), width, height);
@@ -102,9 +102,9 @@ fn unfit(unfit: Unfit) -> &'static str {
     }
 }
 
-/// Follows whole pixels: [`MIN_PIXELS`] unless they take more than `most` seconds, and more while `seconds` last. `colours`
-/// are those of the reference, in the order of the tiles' pixels. In place of an answer comes the name of the message that
-/// says why there is none.
+/// Compares pixels of the reference with those of the independent tracer: [`MIN_PIXELS`] unless they take more than
+/// `most` seconds, and more while `seconds` last. Each of `pixels` has its number in `colours`, the colours of the
+/// reference. The inner `Err` is the name of the message that says why nothing could be checked.
 pub fn check(
     runner: &Runner,
     images: &Images,

@@ -1,4 +1,4 @@
-//! The configurations that a study tries: values of one setting each, from cheap to dear.
+//! The configurations that a study tries: on each axis the values of one setting, from cheap to expensive.
 
 use crate::trace::Numbers;
 use crate::trace::switches::Without;
@@ -6,13 +6,13 @@ use crate::trace::switches::Without;
 /// A kind of error; kinds are never mixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Kind {
-    /// Errors at edges, which are smaller than a pixel: samples.
+    /// Errors at edges, from details smaller than a pixel: samples.
     Edges,
-    /// Light that is followed no further: depth and cutoff.
+    /// Errors from light that is not followed further: depth and cutoff.
     Light,
-    /// Rounding: the numbers, and who finds the roots.
+    /// Errors of rounding: the kind of numbers, and the solver of roots.
     Numbers,
-    /// Flat pieces in place of what is curved.
+    /// Errors of flat pieces that stand for curved shapes.
     Facets,
 }
 
@@ -79,13 +79,14 @@ impl Axis {
     }
 }
 
-/// The program between a ray and its hits.
+/// The program that finds the hits of a ray.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kernel {
     /// The tracer, in these numbers.
     Ours(Numbers),
-    /// The plain kernel, in single precision or in doubles.
+    /// The plain kernel in single precision.
     PlainF32,
+    /// The plain kernel in doubles.
     PlainF64,
 }
 
@@ -110,13 +111,13 @@ impl Kernel {
 /// The solver that finds the roots of tori and solids of revolution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Roots {
-    /// The formula, from the ray's origin as it is.
+    /// The closed formula, with coefficients from the ray's own origin.
     ClosedForm,
-    /// The same formula, once the origin is moved next to the shape.
+    /// The closed formula, after the origin was moved near to the shape.
     Recentred,
     /// The tracer's own solver.
     Ours,
-    /// The tracer's roots, polished in double-double.
+    /// The tracer's roots, improved by Newton's method in double-double.
     Polished,
 }
 
@@ -148,7 +149,7 @@ pub struct Settings {
     pub kernel: Kernel,
     pub roots: Roots,
     pub without: Without,
-    /// The scene that is drawn: 0 the one that was given, others are made of it.
+    /// The number of the scene that is drawn: 0 for the given one, others for scenes made from it.
     pub variant: usize,
 }
 
@@ -169,13 +170,13 @@ impl Default for Settings {
     }
 }
 
-/// A setting on one axis.
+/// A choice of all settings: that of the axis is varied, the others are the default's.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Configuration {
     pub axis: Axis,
     pub label: String,
     pub settings: Settings,
-    /// Whether the configuration may be dropped where the time does not do.
+    /// Whether the configuration may be dropped when time is short.
     pub inner: bool,
 }
 
@@ -197,7 +198,7 @@ impl Configuration {
         self.settings == Settings::default()
     }
 
-    /// `--depth 16`: the configuration as an option of `zpg render`, where there is one.
+    /// The configuration as an option of `zpg render`, as `--depth 16`; without dashes where there is no such option.
     pub fn option(&self) -> String {
         match self.axis {
             Axis::Solver | Axis::Tessellation | Axis::Levels => {
@@ -259,7 +260,7 @@ pub fn ladder(axis: Axis) -> Vec<Configuration> {
         Axis::Solver => (Roots::ALL.into_iter())
             .map(|roots| Configuration::new(axis, roots.name(), Settings { roots, ..base }))
             .collect(),
-        // Made of the scene.
+        // These configurations are made from the scene.
         Axis::Tessellation | Axis::Levels => Vec::new(),
     }
 }

@@ -1,4 +1,4 @@
-//! Shares of a picture's time, in short: by the object seen first, and by effects that are taken out.
+//! A short study of a picture's time: the shares of the objects seen first, and of the effects.
 
 use super::axes;
 use super::configurations::{Kernel, Settings};
@@ -13,13 +13,15 @@ use std::sync::Arc;
 /// Shares of a picture's time.
 #[derive(Debug, Clone)]
 pub struct Cost {
-    /// The share of each object that the centre of a pixel sees, the dearest first; 0 is the background.
+    /// ID and share of the time of each object that is seen first at the centre of a pixel, the largest share first.
+    /// The ID 0 is the background.
     pub objects: Vec<(u32, f64)>,
-    /// The time that goes when an effect alone is taken out, the dearest first.
+    /// Name of each effect, and the share of the time that is saved when it alone is taken out; the largest share
+    /// first.
     pub effects: Vec<(&'static str, f64)>,
 }
 
-/// Looks at a few tiles of a picture, for about so many seconds.
+/// Measures the shares on a few tiles of a picture, for about `seconds` seconds.
 ///
 /// # Errors
 ///
@@ -43,7 +45,7 @@ pub fn cost(
     let pilot: Vec<Tile> = all.iter().copied().take(6).collect();
     let each = runner.time(&base, &pilot)?.wall / pilot.len().max(1) as f64;
     let effects = axes::effects(&runner.tracer().plan);
-    // Three runs of each pixel, and three of each effect and of all together.
+    // Each pixel is timed in three runs, and so are each effect and the whole.
     let runs = 3.0 * (effects.len() + 2) as f64;
     let count = (seconds / (runs * each).max(1e-9)) as usize;
     let tiles: Vec<Tile> = all.into_iter().take(count.max(16)).collect();

@@ -1,4 +1,4 @@
-//! The scene out of flat pieces: meshes within a tolerance, and geodesic spheres of other levels.
+//! Scenes of flat pieces made from the given scene: meshes within a tolerance, and geodesic spheres of other levels.
 
 use super::configurations::{Axis, Configuration, Settings, variant};
 use super::runner::Runner;
@@ -11,10 +11,10 @@ use crate::translate::mesh::{self, Options, SurfaceLabel};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// More triangles than these are not drawn for the sake of a comparison.
+/// The largest number of triangles of a mesh that is drawn for comparison.
 const MAX_TRIANGLES: usize = 400_000;
 
-/// The tolerances that are tried, by the radius of the scene.
+/// The tolerances of the meshes, as shares of the scene's radius.
 const TOLERANCES: [f64; 4] = [0.03, 0.01, 0.003, 0.001];
 
 /// The reason why meshes cannot stand for the scene, as the name of a message; `None` where they can.
@@ -56,14 +56,15 @@ pub fn unfit(runner: &Runner) -> Option<&'static str> {
     }
 }
 
-/// The configurations of the axes of flat pieces, and the settings of the true shapes that they are measured against.
+/// The configurations of an axis of flat pieces, and the settings of their reference, which draws the true shapes.
 pub struct Facets {
     pub configurations: Vec<Configuration>,
     pub reference: Settings,
 }
 
-/// Makes meshes of the scene and adds them to the runner. Without a box, which cuts a mesh open but caps
-/// it, on both sides. No finer one is begun that would not be done in so many seconds.
+/// Makes meshes of the scene and adds them to the runner. Meshes and reference are drawn without the render box, which
+/// caps a solid but cuts a mesh open. A finer mesh is begun only if it would be done within `seconds`. `None` if no
+/// mesh was made.
 ///
 /// # Errors
 ///
@@ -102,7 +103,7 @@ pub fn meshes(runner: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error
             break;
         }
         if std::mem::replace(&mut before, triangles) == triangles {
-            // The same mesh once more.
+            // The finer tolerance gives the same mesh: only its last configuration is kept.
             configurations.pop();
         }
         let Some(made) = scene_of(&whole, &model, runner) else {
@@ -130,7 +131,7 @@ pub fn meshes(runner: &mut Runner, seconds: f64) -> Result<Option<Facets>, Error
     }))
 }
 
-/// A scene of the triangles of a mesh, with the optics and colours of their skins.
+/// Makes a scene of a mesh's triangles, with the optics and colours of their skins; `None` without triangles.
 fn scene_of(whole: &Scene, model: &mesh::Model, runner: &Runner) -> Option<Scene> {
     let graph = &runner.tracer().graph;
     let mut made = Scene {
@@ -142,7 +143,7 @@ fn scene_of(whole: &Scene, model: &mesh::Model, runner: &Runner) -> Option<Scene
     };
     let mut by_skin: Vec<Vec<usize>> = vec![Vec::new(); model.skins.len()];
     for (i, &label) in model.mesh.labels.iter().enumerate() {
-        // Faces that nobody made show nothing.
+        // Faces without a skin are not shown.
         if let Some(own) = by_skin.get_mut(label as usize) {
             own.push(i);
         }
@@ -200,7 +201,7 @@ fn joined(made: &mut Scene, before: Option<u32>, node: u32) -> u32 {
     }
 }
 
-/// Geodesic spheres of other levels, and the spheres that they come near to.
+/// Adds scenes whose geodesic spheres have levels 0 to 6, and as their reference a scene with true spheres.
 ///
 /// # Errors
 ///

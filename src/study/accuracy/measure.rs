@@ -1,4 +1,4 @@
-//! How far pixels are from those of a reference.
+//! Measures how far pixels are from those of a reference.
 
 use super::sample_tiles::Random;
 use crate::scene::Rgb;
@@ -16,27 +16,28 @@ pub fn steps(linear: f64) -> f64 {
         }
 }
 
-/// An error, over the pixels of tiles.
+/// The error of a picture, measured on the pixels of some tiles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measured {
     /// Root mean square in steps of 1/255 of the sRGB picture, over pixels and channels.
     pub steps: f64,
-    /// Holds the value for the whole picture with 95 %, by bootstrap over tiles; of no width where all
-    /// of it was measured.
+    /// The interval that holds `steps` of the whole picture with 95 %, by bootstrap over tiles. Both ends are equal
+    /// where the whole picture was measured.
     pub interval: [f64; 2],
     /// Root mean square of linear RGB.
     pub rmse: f64,
     /// Mean of squares over (reference² + 0.01), linear (Rousselle et al., "Adaptive Sampling and
     /// Reconstruction using Greedy Error Minimization", 2011).
     pub relmse: f64,
-    /// The largest difference of a channel, linear, and in steps.
+    /// The largest difference of a channel in linear light.
     pub max: f64,
+    /// The largest difference of a channel in steps.
     pub max_steps: f64,
-    /// The mean of FLIP (Andersson et al., 2020), tile by tile where not all of the picture was measured.
+    /// The mean of FLIP (Andersson et al., 2020); tile by tile unless the whole picture was measured.
     pub flip: f64,
-    /// Pixels of which a channel is off by more than a step.
+    /// The number of pixels with a channel that is off by more than a step.
     pub pixels_off: usize,
-    /// Pixels that differ at all, in doubles.
+    /// The number of pixels that differ at all, in doubles.
     pub pixels_differ: usize,
     pub pixels: usize,
 }
@@ -48,8 +49,8 @@ pub fn distance(a: Rgb, b: Rgb) -> f64 {
     })
 }
 
-/// Compares pixels with those of a reference. `tiles` are the sizes of the tiles that they are in, one
-/// after the other; `all` says that they are the whole picture.
+/// Compares pixels with those of a reference. `tiles` has width and height of each tile, in the order of the pixels;
+/// `all` says that the tiles make up the whole picture.
 pub fn compare(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]], all: bool) -> Measured {
     let mut squares = Vec::with_capacity(tiles.len());
     let mut rest = found.iter().zip(reference);
@@ -116,7 +117,8 @@ pub fn compare(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]], all: bool) 
     }
 }
 
-/// The mean of FLIP over tiles. Most tiles of most configurations are alike and cost nothing.
+/// The mean of FLIP over tiles. Equal tiles are skipped: most tiles of most configurations equal those of the
+/// reference.
 fn flip(found: &[Rgb], reference: &[Rgb], tiles: &[[u32; 2]]) -> f64 {
     let bytes =
         |pixels: &[Rgb]| -> Vec<u8> { pixels.iter().flatten().map(|&x| srgb8(x as f32)).collect() };

@@ -1,10 +1,12 @@
 //! Cost of accuracy: the time that each step of accuracy of a picture takes, and the gain.
 //!
-//! [`configurations`] are the settings that are tried, on axes of four kinds that are never mixed; [`axes`] says which
-//! a scene calls for, [`facets`] makes the scenes of flat pieces. [`sample_tiles`] are what is measured of a picture,
-//! [`runner`] draws them and takes the time, [`measure`] and [`timing`] say what came out. [`check`] asks an
-//! independent tracer about the reference. [`run()`] does all this within a budget and fills a [`report`];
-//! [`shapes`] does so without a scene, [`cost`] in short, [`mod@pilot`] for the time of a picture alone. [`advice`] says what to set, and [`mod@print`] writes it down for people with the [`number_format`] of their language.
+//! [`configurations`] are the settings that are tried, on axes of four kinds of error that are never mixed; [`axes`]
+//! finds the axes that a scene calls for, and [`facets`] makes scenes of flat pieces. [`sample_tiles`] chooses the
+//! parts of a picture that are measured, [`runner`] draws and times them, [`measure`] and [`timing`] compute errors and
+//! noise. [`check`] compares the reference with an independent tracer. [`run()`] does all this within a budget and
+//! fills a [`report`]; [`advice`] recommends settings, and [`mod@print`] writes the report for people, with the
+//! [`number_format`] of their language. [`shapes`] measures shapes without a scene, [`cost`] the shares of a picture's
+//! time, and [`mod@pilot`] predicts the time of a picture.
 
 pub mod advice;
 pub mod axes;

@@ -3,7 +3,7 @@
 use super::configurations::Kind;
 use crate::diagnostics::{Complaint, Language, Value};
 
-/// The values in the places of a message.
+/// The values for the placeholders of a message.
 pub type Filled<'a> = &'a [(&'static str, Value)];
 
 pub fn say(language: Language, message: &'static str, values: Filled) -> String {
@@ -31,7 +31,7 @@ pub fn error(language: Language, steps: f64) -> String {
     )
 }
 
-/// `28` or `1.3`.
+/// A factor, as `28` or `1.3`.
 pub fn times(language: Language, times: f64) -> String {
     local(
         language,
@@ -43,7 +43,7 @@ pub fn times(language: Language, times: f64) -> String {
     )
 }
 
-/// A share as `12` percent.
+/// A share in percent, without the sign: 0.12 as `12`.
 pub fn percent(language: Language, share: f64) -> String {
     let hundredths = 100.0 * share;
     let text = match hundredths.abs() {
@@ -66,7 +66,7 @@ pub fn seconds(language: Language, seconds: f64) -> String {
     )
 }
 
-/// Each in words.
+/// The wording of each complaint.
 pub fn each(language: Language, all: &[Complaint]) -> Vec<String> {
     all.iter().map(|one| one.wording(language)).collect()
 }
@@ -75,7 +75,7 @@ pub fn count(n: usize) -> Value {
     Value::Count(n as u64)
 }
 
-/// The name of a kind: "edges", and in headings.
+/// The name of a kind in the language, as "edges".
 pub fn kind(language: Language, kind: Kind) -> String {
     say(
         language,
@@ -89,7 +89,7 @@ pub fn kind(language: Language, kind: Kind) -> String {
     )
 }
 
-/// The name of an effect.
+/// The name of an effect in the language.
 pub fn effect(language: Language, name: &str) -> String {
     let message = match name {
         "shadows" => "accuracy-effect-shadows",

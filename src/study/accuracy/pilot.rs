@@ -1,4 +1,4 @@
-//! How long a picture is going to take.
+//! Predicts the time that a picture is going to take.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -13,16 +13,16 @@ use crate::trace::{self, Images};
 /// The time that a picture is going to take on one thread, in seconds.
 #[derive(Debug, Clone, Copy)]
 pub struct Pilot {
-    /// Seconds until the first pixel, besides reading the scene.
+    /// Seconds until the first pixel, without reading the scene.
     pub build: f64,
-    /// Number of pixels of the picture.
+    /// Seconds for all pixels of the picture.
     pub pixels: f64,
 }
 
-/// Small tiles that are drawn between two looks at the clock.
+/// The number of small tiles that are drawn between two looks at the clock.
 const AT_ONCE: usize = 16;
 
-/// Draws small tiles of a picture, spread evenly, for about so many seconds.
+/// Predicts the time of a picture from small tiles, spread evenly, that are drawn for about `seconds` seconds.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! The results, as they stand in `accuracy.json`.
+//! The results of a study, as `accuracy.json` has them.
 
 use super::configurations::{Axis, Kind};
 use super::measure::Measured;
@@ -24,7 +24,7 @@ pub struct Report {
     pub skipped: Vec<Skipped>,
     pub effects: Vec<Effect>,
     pub objects: Vec<Object>,
-    /// Pictures of the places where errors are largest, with and without the errors.
+    /// The parts of the picture where errors are largest, drawn with the default and with better settings.
     #[serde(skip)]
     pub pictures: Vec<Pictures>,
     /// Time and error over the picture.
@@ -33,7 +33,7 @@ pub struct Report {
     /// The picture, as plain `zpg render` draws it.
     #[serde(skip)]
     pub picture: Option<Raster>,
-    /// Whether the run was stopped before all was done.
+    /// Whether the run was stopped before it was done.
     pub stopped: bool,
 }
 
@@ -45,9 +45,9 @@ pub struct Advice {
 
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Goal {
-    /// Root mean square in steps of 1/255.
+    /// The error that is wanted: root mean square in steps of 1/255.
     pub steps: f64,
-    /// The share by which it may be missed.
+    /// The share by which the goal may be missed.
     pub tolerance: f64,
 }
 
@@ -55,7 +55,7 @@ pub struct Goal {
 pub struct Noise {
     /// Times that differ by a smaller share are not ranked.
     pub relative: f64,
-    /// Pairs of equal computations that it was measured on.
+    /// The number of pairs of equal computations that the noise was measured on.
     pub pairs: usize,
     pub estimator: &'static str,
 }
@@ -64,11 +64,11 @@ pub struct Noise {
 pub struct Machine {
     pub cpu: String,
     pub cores: usize,
-    /// Threads that times were taken on.
+    /// The number of threads that times were taken on.
     pub threads: usize,
-    /// The wall time of the timed runs as a multiple of their CPU time; `null` of no runs.
+    /// The wall time of the timed runs as a multiple of their CPU time; `null` without timed runs.
     pub wall_over_cpu: Option<f64>,
-    /// Before and after, where the system tells.
+    /// The machine's load before and after the run, where the system tells it.
     pub load: Vec<f64>,
     pub build: &'static str,
     pub version: &'static str,
@@ -77,9 +77,9 @@ pub struct Machine {
 #[derive(Debug, Clone, Serialize)]
 pub struct Budget {
     pub asked_seconds: f64,
-    /// CPU time of the timed runs, by the pilot.
+    /// The CPU time of the timed runs that the pilot predicts.
     pub predicted_seconds: f64,
-    /// Seconds that the timed runs took.
+    /// CPU seconds that the timed runs took.
     pub timed_seconds: f64,
     pub spent_seconds: f64,
     /// Share of the picture's pixels that errors are measured on.
@@ -101,12 +101,12 @@ pub struct Reference {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cutoff: Option<f64>,
     pub margin: Margin,
-    /// Pixels that the independent tracer was asked about, its rays, and where it came to another answer.
+    /// The outcome of the check by the independent tracer.
     #[serde(flatten)]
     pub checked: Option<Checked>,
 }
 
-/// How far the reference itself may be off.
+/// A bound on the error of the reference itself, and how it was found.
 #[derive(Debug, Clone, Serialize, Default)]
 pub struct Margin {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -121,11 +121,11 @@ pub struct Checked {
     pub pixels: usize,
     pub rays: u64,
     pub wrong: usize,
-    /// Pixels that differ only since the rays of the camera are rounded to doubles.
+    /// The number of pixels that differ only since the rays of the camera are rounded to doubles.
     pub camera_rounding: usize,
-    /// The largest difference of a channel, linear, in all others.
+    /// The largest difference of a channel in linear light, over all other pixels.
     pub largest: f64,
-    /// Where: the first few wrong pixels.
+    /// Column and row of the first few wrong pixels.
     pub wrong_pixels: Vec<[u32; 2]>,
     /// The reason why nothing was checked.
     pub not_checked: Option<Complaint>,
@@ -136,24 +136,24 @@ pub struct Row {
     pub kind: &'static str,
     pub axis: &'static str,
     pub setting: String,
-    /// Wall time of the pixels that were timed.
+    /// Wall time for the pixels that were timed.
     pub seconds: Option<Spread>,
     pub cpu_seconds: Option<Spread>,
-    /// CPU time over that of the default on the same pixels.
+    /// CPU time as a multiple of the default's on the same pixels.
     pub times_default: Option<f64>,
     pub pixels_timed: usize,
-    /// Rays a second, by the least wall time.
+    /// Rays a second, in the run of the least wall time.
     pub rays_per_second: Option<f64>,
-    /// Rays of the pixels that errors were measured on.
+    /// The number of rays for the pixels that errors were measured on.
     pub rays: u64,
     pub uncertain: u64,
     pub samples_mean: f64,
     pub error: Option<RowError>,
     pub default: bool,
     pub pareto: bool,
-    /// The row whose computation this is, too.
+    /// The name of another row with the same computation.
     pub same_as: Option<String>,
-    /// Whether the error is smaller than what the reference itself may be off.
+    /// Whether the error is smaller than the error that the reference itself may have.
     pub below_reference: bool,
     #[serde(skip)]
     pub of: Option<(Kind, Axis)>,
@@ -174,14 +174,16 @@ pub struct RowError {
     pub pixels: usize,
     pub pixels_off: usize,
     pub pixels_differ: usize,
-    /// Pixels in which another object is seen first, numbers alone.
+    /// The number of pixels in which another object is seen first; only for rows of numbers.
     pub wrong_object: Option<usize>,
-    /// Distances of what is seen first, in units of the last place of the numbers.
+    /// The median error in the distance of the object seen first, in units of the last place of the numbers.
     pub median_ulp: Option<f64>,
+    /// The largest error in the distance, in the same units.
     pub max_ulp: Option<f64>,
 }
 
-/// Largest linear difference of pictures that are the same: far below what a film of single precision rounds.
+/// The largest difference in linear light of pictures that count as the same: far below the rounding of a film in
+/// single precision.
 const SAME_PICTURE_DIFFERENCE: f64 = 1e-9;
 
 impl RowError {
@@ -221,9 +223,9 @@ pub struct Skipped {
 pub struct Effect {
     pub name: &'static str,
     pub cpu_seconds: Option<Spread>,
-    /// Share of the default's time that goes when this effect alone is taken out.
+    /// The share of the default's time that is saved when this effect alone is taken out.
     pub saved: Option<f64>,
-    /// Whether the share is no more than the noise of the times, or less than nothing.
+    /// Whether the saved share is negative or no more than the noise of the times.
     pub within_noise: bool,
     pub rays_saved: i64,
     pub error: RowError,
@@ -231,13 +233,13 @@ pub struct Effect {
 
 #[derive(Debug, Clone, Serialize)]
 pub struct Object {
-    /// 0: the background.
+    /// The object's ID; 0 for the background.
     pub id: u32,
     pub share_of_pixels: f64,
     pub share_of_time: f64,
     pub share_of_error: f64,
     pub microseconds_per_pixel: f64,
-    /// Root mean square of the edges' error in its pixels, at the default.
+    /// The root mean square error of the default in the object's pixels, in steps, against the reference of edges.
     pub steps: f64,
 }
 
@@ -249,7 +251,7 @@ pub struct Raster {
     pub pixels: Vec<Rgb>,
 }
 
-/// A part of the picture by two settings.
+/// A part of the picture, drawn with two settings; each picture has the name of its settings.
 #[derive(Debug, Clone)]
 pub struct Pictures {
     pub kind: Kind,
@@ -257,19 +259,19 @@ pub struct Pictures {
     pub better: (String, Raster),
 }
 
-/// Values over the picture: of each pixel, or of each block that tiles stand for.
+/// Time and error over the picture: for each pixel, or for each block that tiles stand for.
 #[derive(Debug, Clone)]
 pub struct Maps {
     pub width: u32,
     pub height: u32,
     /// Microseconds a pixel; NaN where nothing was measured.
     pub time: Vec<f64>,
-    /// Steps.
+    /// Root mean square error in steps; NaN where nothing was measured.
     pub error: Vec<f64>,
 }
 
 impl Row {
-    /// Steps of the error; infinite where it was not measured.
+    /// The error in steps; infinite if it was not measured.
     pub fn steps(&self) -> f64 {
         self.error.as_ref().map_or(f64::INFINITY, |e| e.steps)
     }
@@ -286,24 +288,25 @@ impl Row {
         self.of.is_some_and(|of| of.1 == axis)
     }
 
-    /// `depth 16`.
+    /// The axis and the setting, as `depth 16`.
     pub fn name(&self) -> String {
         format!("{} {}", self.axis, self.setting)
     }
 }
 
-/// Where the timed runs take longer than their CPU time by more than this factor, other programs had the processor.
+/// The ratio of wall time to CPU time of the timed runs above which other programs had the processor.
 const BUSY: f64 = 4.0 / 3.0;
 
 impl Report {
-    /// The wall time of the timed runs over their CPU time, where the machine was too busy for its times to be trusted.
+    /// The ratio of wall time to CPU time of the timed runs, if the machine was too busy for its times to be trusted;
+    /// `None` otherwise.
     pub fn too_busy(&self) -> Option<f64> {
         self.machine
             .wall_over_cpu
             .filter(|&b| !(1.0 / BUSY..=BUSY).contains(&b))
     }
 
-    /// The check of the independent tracer where it comes to other pixels than the reference.
+    /// The check by the independent tracer, if it found other pixels than the reference has.
     pub fn wrong_reference(&self) -> Option<&Checked> {
         let checked = self.reference.get(Kind::Numbers.name())?.checked.as_ref();
         checked.filter(|c| c.wrong > 0)
@@ -313,7 +316,7 @@ impl Report {
         self.rows.iter().filter(move |r| r.kind() == Some(kind))
     }
 
-    /// The row of a kind that plain `zpg render` is.
+    /// The row of a kind with the settings of plain `zpg render`.
     pub fn default_of(&self, kind: Kind) -> Option<&Row> {
         self.of_kind(kind).find(|r| r.default && r.error.is_some())
     }
@@ -325,9 +328,8 @@ impl Report {
     }
 }
 
-/// Marks the rows that are on the front of their kind: a row is off it only if another is faster by more
-/// than the noise and at least as accurate, or as fast within the noise and more accurate by more than
-/// the margin.
+/// Marks the rows on the Pareto front of their kind. A row is off the front only if another row is faster by more than
+/// the noise and at least as accurate, or as fast within the noise and more accurate by more than the margin.
 pub fn mark_front(report: &mut Report) {
     let noise = report.noise.relative;
     let front: Vec<bool> = (report.rows.iter())

@@ -1,4 +1,4 @@
-//! Draws tiles with any settings, and takes the time.
+//! Draws and times tiles with any settings.
 
 use super::configurations::{Kernel, Roots, Settings};
 use super::sample_tiles::Tile;
@@ -15,16 +15,16 @@ use cpu_time::ThreadTime;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// A scene that is drawn, by tracers that are made when they are first needed.
+/// A scene that is drawn, and its tracers; the second one is made when it is first needed.
 struct Variant {
     scene: Arc<Scene>,
-    /// The tracer by the plan of the picture.
+    /// The tracer of the objects that the picture shows.
     tracer: Tracer,
     /// The tracer of the whole scene, with the objects that the picture does not show: single precision may show them.
     whole: Option<Tracer>,
 }
 
-/// Scene, camera and size: what all configurations have in common.
+/// Draws one scene, and variants of it, with one camera in one size, by any settings.
 pub struct Runner<'i> {
     variants: Vec<Variant>,
     images: &'i Images,
@@ -32,7 +32,7 @@ pub struct Runner<'i> {
     pub size: [u32; 2],
 }
 
-/// Pixels of tiles, one after the other.
+/// The pixels of some tiles, one tile after the other, and the work that they took.
 #[derive(Debug, Clone, Default)]
 pub struct Drawn {
     /// Linear RGB.
@@ -71,7 +71,7 @@ impl<'i> Runner<'i> {
         Ok(runner)
     }
 
-    /// Adds a scene that is made of the first one, and gives its number.
+    /// Adds a scene that was made from the first one, and returns its number.
     ///
     /// # Errors
     ///
@@ -87,7 +87,7 @@ impl<'i> Runner<'i> {
         Ok(self.variants.len() - 1)
     }
 
-    /// The tracer of the scene as it was given.
+    /// The tracer of the given scene.
     pub fn tracer(&self) -> &Tracer {
         &self.variants[0].tracer
     }
@@ -100,7 +100,8 @@ impl<'i> Runner<'i> {
         &self.camera
     }
 
-    /// Makes ready for settings: no two can be drawn at a time.
+    /// Prepares the tracer of a variant for settings. The result borrows the runner: one tracer cannot serve two
+    /// settings at a time.
     fn prepare(&mut self, settings: &Settings) -> Result<Ready<'_>, Error> {
         let variant = &mut self.variants[settings.variant];
         let tracer = match settings.kernel {
@@ -156,7 +157,7 @@ impl<'i> Runner<'i> {
         Ok(all)
     }
 
-    /// Draws tiles on this thread, and takes the time.
+    /// Draws tiles on this thread and takes the time.
     ///
     /// # Errors
     ///
@@ -170,7 +171,7 @@ impl<'i> Runner<'i> {
                 .colours
                 .reserve(tiles.iter().map(|t| t.count()).sum());
             if settings.tolerance.is_some() {
-                // What is around a tile is there in a whole picture; here it costs extra.
+                // A whole picture draws the surroundings of a tile anyway, so that their time is not counted.
                 for tile in tiles {
                     pixels.look_around(&tile.pixels().collect::<Vec<_>>());
                 }
@@ -191,7 +192,7 @@ impl<'i> Runner<'i> {
         })
     }
 
-    /// Sums of samples of the pixels of tiles, on all threads.
+    /// For each pixel of tiles, the sum of the colours of a range of samples; on all threads.
     ///
     /// # Errors
     ///
@@ -213,7 +214,7 @@ impl<'i> Runner<'i> {
         Ok(parts.concat())
     }
 
-    /// The objects that are seen first in the pixels of tiles, computed on all threads.
+    /// For each pixel of tiles, the object that is seen first at its centre; on all threads.
     ///
     /// # Errors
     ///
@@ -235,7 +236,7 @@ impl<'i> Runner<'i> {
         Ok(parts.concat())
     }
 
-    /// The least wall time of each pixel of tiles, of three runs on this thread, in seconds.
+    /// For each pixel of tiles, the least wall time of three runs on this thread, in seconds.
     ///
     /// # Errors
     ///
@@ -269,7 +270,7 @@ struct Ready<'s> {
 }
 
 impl<'s> Ready<'s> {
-    /// The same with the quick kernel, if that draws the picture.
+    /// Adds the stage of the quick kernel, if that kernel draws the picture.
     fn staged(mut self) -> Result<Ready<'s>, Error> {
         if let Kernel::Ours(numbers) = self.settings.kernel {
             self.stage = self.tracer.stage(self.camera, &self.taken(numbers))?;
@@ -289,7 +290,7 @@ impl<'s> Ready<'s> {
         }
     }
 
-    /// The settings of a whole picture.
+    /// The tracer's settings for the whole picture.
     fn taken(&self, numbers: Numbers) -> trace::Settings {
         let [width, height] = self.size;
         let settings = self.settings;

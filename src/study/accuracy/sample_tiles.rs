@@ -1,14 +1,15 @@
-//! Small tiles of the full picture, spread evenly: what is measured in place of a smaller picture, which
-//! would have other edges.
+//! Small tiles of the full picture, spread evenly. They are measured in place of a smaller picture, whose edges would
+//! be others.
 
-/// The side of a tile, and of the block that it stands for, in pixels.
+/// The side of a tile in pixels.
 pub const TILE: u32 = 8;
+/// The side in pixels of the block of the picture that a tile stands for.
 const BLOCK: u32 = 32;
 
 /// A picture with no more pixels than this is measured as a whole.
 pub const WHOLE: u64 = 20_000;
 
-/// A tile; narrower or lower at the right and lower edges.
+/// A square part of a picture; narrower or lower at the right and lower edges.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Tile {
     pub x: u32,
@@ -29,10 +30,9 @@ impl Tile {
     }
 }
 
-/// The tiles of a picture that are measured, in an order of which every beginning is spread evenly.
+/// Chooses the tiles of a picture that are measured. However many of the first tiles are used, they are spread evenly.
 ///
-/// `share` tiles of each block of 32 × 32 pixels, of which there are 16. A small picture is measured as
-/// a whole.
+/// A block of 32 × 32 pixels has 16 tiles; `share` of them are chosen. A small picture is measured as a whole.
 pub fn chosen([width, height]: [u32; 2], share: usize) -> Vec<Tile> {
     let whole = u64::from(width) * u64::from(height) <= WHOLE;
     let per_block = (BLOCK / TILE).pow(2) as usize;
@@ -59,15 +59,15 @@ pub fn chosen([width, height]: [u32; 2], share: usize) -> Vec<Tile> {
             tiles.extend(within.into_iter().take(share).enumerate());
         }
     }
-    // One tile of every block before a second one of any; blocks in steps of the golden ratio, so that
-    // every stretch of them is spread evenly.
+    // Every block gives one tile before any gives a second. Blocks follow each other in steps of the golden ratio, so
+    // that every stretch of them is spread evenly.
     let blocks = tiles.iter().filter(|(i, _)| *i == 0).count();
     let mut block = 0;
     let mut keyed: Vec<(usize, f64, Tile)> = (tiles.iter().enumerate())
         .map(|(n, &(i, tile))| {
             block += usize::from(i == 0 && n > 0);
             const GOLDEN: f64 = 0.618_033_988_749_894_9;
-            // The inverse of the step: which turn comes to this block.
+            // The place of the block in this order, from 0 to 1.
             (i, (block as f64 * GOLDEN).fract(), tile)
         })
         .collect();
@@ -97,7 +97,7 @@ impl Random {
         crate::trace::sampling::hash(self.0)
     }
 
-    /// Less than `n`, which is above 0.
+    /// A random number less than `n`, which has to be above 0.
     pub fn below(&mut self, n: usize) -> usize {
         ((u128::from(self.next()) * n as u128) >> 64) as usize
     }

@@ -1,4 +1,4 @@
-//! Time and error of a ray for each shape, number and solver, without a scene.
+//! Time and error of a ray for each shape, each kind of numbers and each solver, without a scene.
 
 use super::sample_tiles::Random;
 use crate::geometry::dd::Dd;
@@ -19,22 +19,23 @@ use std::time::Duration;
 #[derive(Debug, Clone, Serialize)]
 pub struct ShapeResult {
     pub shape: &'static str,
-    /// `plain-f32`, …, `dd`, or a solver.
+    /// The kernel and its numbers, or the solver: `plain-f32`, …, `dd`, `recentred`, `polished-dd`.
     pub way: &'static str,
-    /// `plain` or `tangent`.
+    /// The sort of lines: `plain` or `tangent`.
     pub lines: &'static str,
     pub nanoseconds: f64,
-    /// Lines of which another number of crossings was found, as a share.
+    /// The share of lines on which another number of crossings was found than there are.
     pub wrong: f64,
-    /// The median and the largest error of a crossing on the other lines, by its distance or, where that is less, the
-    /// size of the shape.
+    /// The median error of a crossing on the other lines, divided by its distance or, where that is less, the size of
+    /// the shape.
     pub median_error: f64,
+    /// The largest error of a crossing, divided likewise.
     pub max_error: f64,
-    /// Lines that the numbers could not decide; in `f64` double-double decides them, which is not timed.
+    /// The share of lines that the numbers could not decide. In `f64` double-double decides them, which is not timed.
     pub uncertain: f64,
 }
 
-/// Lines of each sort.
+/// The number of lines of each sort.
 const LINES: usize = 400;
 
 /// The shapes that are tried, of a size of about 1.
@@ -135,7 +136,7 @@ fn shapes() -> Vec<(&'static str, Geometry)> {
     ]
 }
 
-/// A line, with its exact crossings.
+/// A line with the exact t of its crossings.
 struct ReferenceLine {
     origin: V<f64>,
     direction: V<f64>,
@@ -166,7 +167,7 @@ fn direction(random: &mut Random) -> V<f64> {
     }
 }
 
-/// Lines that pass the shape as the rays of a picture do.
+/// Makes lines that pass the shape at random, as the rays of a picture do.
 fn plain_lines(form: &NaiveShape<Wide>, random: &mut Random) -> Vec<ReferenceLine> {
     (0..LINES)
         .map(|_| {
@@ -178,7 +179,7 @@ fn plain_lines(form: &NaiveShape<Wide>, random: &mut Random) -> Vec<ReferenceLin
         .collect()
 }
 
-/// Lines that pass a point of the surface along a tangent, 1e-3 to 1e-12 aside.
+/// Makes lines along tangents of the surface, shifted along the normal by 1e-3 to 1e-12.
 fn tangent_lines(
     form: &NaiveShape<Wide>,
     plain: &[ReferenceLine],
@@ -215,7 +216,8 @@ fn tangent_lines(
     lines
 }
 
-/// A way from a line to its crossings: their t, and whether they are certain.
+/// A function that appends the t of a line's crossings, each as a sum of two parts, and returns whether they are
+/// certain.
 type CrossingSolver<'w> = Box<dyn Fn(&Line, &mut Vec<(f64, f64)>) -> bool + 'w>;
 
 fn ways<'w>(
@@ -273,7 +275,9 @@ fn ways<'w>(
     all
 }
 
-/// Measures a solver. An uncertain line is asked of `finer`, if there is one, but not timed.
+/// Measures a solver for about `seconds` seconds. Returns nanoseconds a line, the share of wrong lines, the median and
+/// the largest error, and the share of uncertain lines. An uncertain line is given to `finer`, if there is one, but
+/// this is not timed.
 fn measure(
     way: &CrossingSolver,
     finer: Option<&CrossingSolver>,
@@ -328,11 +332,11 @@ fn measure(
     )
 }
 
-/// Measures everything in about so many seconds. `progress` is told the share that is done.
+/// Measures all shapes with all solvers, in about `seconds` seconds. `progress` gets the share that is done.
 pub fn run(seconds: f64, stop: &AtomicBool, progress: &dyn Fn(f64)) -> Vec<ShapeResult> {
     let all = shapes();
     let mut entries = Vec::new();
-    // Some six ways each, two sorts of lines.
+    // Each shape has about six solvers and two sorts of lines.
     let each = 0.8 * seconds / (all.len() * 12) as f64;
     for (i, (shape, geometry)) in all.iter().enumerate() {
         let Some(form) = NaiveShape::<Wide>::new(geometry) else {
@@ -368,7 +372,7 @@ pub fn run(seconds: f64, stop: &AtomicBool, progress: &dyn Fn(f64)) -> Vec<Shape
     entries
 }
 
-/// The table as Markdown, which is also what the terminal shows.
+/// The results as a table in Markdown, which the terminal shows, too. `head` is its first line.
 pub fn table(entries: &[ShapeResult], head: &str) -> String {
     let share = |x: f64| match x {
         0.0 => "0".to_owned(),

@@ -1,6 +1,6 @@
-//! Times of runs, and what they tell.
+//! Times of runs, and their noise.
 
-/// The least, the median and the largest of some times, in seconds.
+/// The least, the median and the largest of some times, in seconds, and the number of times.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Spread {
     pub min: f64,
@@ -10,7 +10,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// `None` of no times.
+    /// The spread of times; `None` without times.
     pub fn of(times: &[f64]) -> Option<Spread> {
         let mut sorted = times.to_vec();
         sorted.sort_by(f64::total_cmp);
@@ -23,11 +23,12 @@ impl Spread {
     }
 }
 
-/// Differences below this share of a time are not ranked, however alike repeated computations came out:
-/// what five runs of one thing differ by on a busy machine.
+/// The share below which differences of times are never ranked, however alike repeated computations came out: five runs
+/// of the same computation differ by this much on a busy machine.
 pub const LEAST_NOISE: f64 = 0.02;
 
-/// The relative noise of minima: the largest gap between two that are of one computation.
+/// The relative noise of least times: the largest gap between the two of a pair, which are of the same computation, but
+/// at least [`LEAST_NOISE`].
 pub fn noise(pairs: &[[f64; 2]]) -> f64 {
     let gap = |[a, b]: &[f64; 2]| (a / b).max(b / a) - 1.0;
     pairs

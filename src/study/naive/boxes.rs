@@ -1,8 +1,8 @@
-//! A plain tree of boxes, halved at the median.
+//! A binary tree of bounding boxes, in which each node is split at the median.
 
 use crate::geometry::array::each;
 
-/// Lower and upper corner.
+/// An axis-aligned box, by its lower and upper corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds(pub [f64; 3], pub [f64; 3]);
 
@@ -28,7 +28,7 @@ impl Bounds {
         )
     }
 
-    /// The bounds, wider by a billionth of their numbers.
+    /// The bounds, wider on each side by a billionth of the larger coordinate of the axis.
     fn padded(&self) -> Bounds {
         let pad = |i: usize| 1e-9 * self.0[i].abs().max(self.1[i].abs()).max(1e-300);
         Bounds(
@@ -41,7 +41,7 @@ impl Bounds {
     fn meets(&self, origin: [f64; 3], direction: [f64; 3]) -> bool {
         let (mut near, mut far) = (f64::NEG_INFINITY, f64::INFINITY);
         for i in 0..3 {
-            // What the origin is rounded by, once more.
+            // The rounding of the origin is padded beside that of the bounds.
             let pad = 1e-9 * origin[i].abs();
             let [a, b] = [self.0[i] - pad - origin[i], self.1[i] + pad - origin[i]];
             if direction[i] == 0.0 {
@@ -62,8 +62,9 @@ impl Bounds {
 #[derive(Debug)]
 struct Node {
     bounds: Bounds,
-    /// A leaf: its items. Else: the right child; the left one comes next.
+    /// The range of a leaf's items; empty for an inner node.
     items: std::ops::Range<usize>,
+    /// The number of an inner node's right child. The left child comes right after the node.
     right: usize,
 }
 
@@ -117,7 +118,7 @@ impl Boxes {
         }
     }
 
-    /// Calls for every item whose box a half-line may meet.
+    /// Calls `found` for every item whose box a half-line may meet.
     pub fn visit(&self, origin: [f64; 3], direction: [f64; 3], mut found: impl FnMut(u32)) {
         let mut pending = vec![0];
         while let Some(i) = pending.pop() {

@@ -1,4 +1,4 @@
-//! Crossings of lines with shapes: coefficients from the origin as it is.
+//! Crossings of lines with shapes, by formulas with coefficients from the ray's own origin.
 
 use super::boxes::{Bounds, Boxes};
 use super::number::{Number, Ray, V, add, cross, dot, scale, sub, unit, vector};
@@ -25,9 +25,9 @@ pub enum NaiveShape<T> {
     },
     Rectangle([[T; 2]; 2]),
     Triangle([V<T>; 3]),
-    /// xᵀQx.
+    /// The quadric xᵀQx = 0, with x = (x, y, z, 1).
     Quadric([[T; 4]; 4]),
-    /// Pieces between the points (x, y), and the discs at the ends.
+    /// The pieces of the profile, each between two points (radius, height), then the discs that close the ends.
     Revolution(Vec<[[T; 2]; 2]>),
     Geodesic {
         facets: Vec<[V<T>; 3]>,
@@ -38,9 +38,9 @@ pub enum NaiveShape<T> {
 /// All crossings of a line with a shape, ascending.
 #[derive(Debug, Clone)]
 pub struct Roots<T> {
-    /// Whether the line comes from inside.
+    /// Whether the line is inside of the shape before its first crossing.
     pub inside: bool,
-    /// t, and which face.
+    /// For each crossing, t on the line and the number of the face.
     pub list: Vec<(T, u32)>,
 }
 
@@ -53,11 +53,11 @@ impl<T> Default for Roots<T> {
     }
 }
 
-/// Geodesic spheres of more splits have too many facets to be listed.
+/// The largest number of splits of a geodesic sphere whose facets can be listed.
 pub const MAX_SPLITS: u32 = 6;
 
 impl<T: Number> NaiveShape<T> {
-    /// `None` where there are too many facets.
+    /// Makes the shape of a geometry; `None` for a geodesic sphere with too many facets.
     pub fn new(geometry: &Geometry) -> Option<NaiveShape<T>> {
         let n = T::of;
         let points = |profile: &[[f64; 2]]| {
@@ -121,7 +121,7 @@ impl<T: Number> NaiveShape<T> {
         })
     }
 
-    /// Finds all crossings.
+    /// Finds all crossings of a ray's line with the shape, into `roots`.
     pub fn cross(&self, ray: &Ray<T>, roots: &mut Roots<T>) {
         roots.list.clear();
         roots.inside = false;
@@ -177,7 +177,7 @@ impl<T: Number> NaiveShape<T> {
                 };
                 let (p, r) = ([o[0], o[1], o[2], one], [d[0], d[1], d[2], zero]);
                 let (a, b, c) = (times(r, r), times(p, r) + times(r, p), times(p, p));
-                // The sign far back on the line.
+                // The sign of the form far back on the line tells whether the line comes from inside.
                 roots.inside = match () {
                     () if a.abs() >= T::TINY => a < zero,
                     () if b.abs() >= T::TINY => b > zero,
@@ -198,7 +198,7 @@ impl<T: Number> NaiveShape<T> {
                         roots.list.push((t, i));
                     }
                 });
-                // Boxes behind the origin are not looked into.
+                // Boxes behind the origin are not visited. An odd number of crossings means that the ray starts inside.
                 roots.inside = roots.list.len() % 2 == 1;
             }
         }
@@ -261,7 +261,7 @@ fn diagonal<T: Number>([a, b, c]: [T; 3], linear: f64, constant: f64) -> NaiveSh
     ])
 }
 
-/// t, and which face.
+/// A crossing: t, and the number of the face.
 type Crossing<T> = (T, u32);
 
 fn slabs<T: Number>(min: &V<T>, max: &V<T>, ray: &Ray<T>, roots: &mut Roots<T>) {
@@ -288,7 +288,7 @@ fn slabs<T: Number>(min: &V<T>, max: &V<T>, ray: &Ray<T>, roots: &mut Roots<T>) 
     }
 }
 
-/// The roots of (x² + y² + z² + R² − r²)² − 4R²(x² + z²).
+/// Appends each t at which the ray's line meets the torus (x² + y² + z² + R² − r²)² − 4R²(x² + z²) = 0.
 pub fn torus<T: Number>(major: T, minor: T, ray: &Ray<T>, roots: &mut Few<T>) {
     let (o, d) = (ray.origin, ray.direction);
     let two = T::of(2.0);
@@ -306,7 +306,8 @@ pub fn torus<T: Number>(major: T, minor: T, ray: &Ray<T>, roots: &mut Few<T>) {
     quartic(each(coefficients, |x| x / lead), roots);
 }
 
-/// Appends the crossings of a piece of a cone or disc.
+/// Appends the crossings of the ray's line with the cone or the ring that a piece of a profile sweeps around the y
+/// axis.
 pub fn segment<T: Number>(piece: &[[T; 2]; 2], ray: &Ray<T>, face: u32, roots: &mut Roots<T>) {
     let (o, d) = (ray.origin, ray.direction);
     let [[x0, y0], [x1, y1]] = *piece;
@@ -333,14 +334,15 @@ pub fn segment<T: Number>(piece: &[[T; 2]; 2], ray: &Ray<T>, face: u32, roots: &
     let (low, high) = if y0 < y1 { (y0, y1) } else { (y1, y0) };
     for &t in few.all() {
         let y = ray.at(t)[1];
-        // Textbooks have both ends belong to a piece.
+        // In a textbook both ends belong to a piece; here the upper end belongs to the next piece.
         if y >= low && (y < high || (T::TEXTBOOK && y == high)) {
             roots.list.push((t, face));
         }
     }
 }
 
-/// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
+/// The t at which a ray's line meets a triangle (Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle
+/// Intersection", 1997).
 fn facet<T: Number>([a, b, c]: &[V<T>; 3], ray: &Ray<T>) -> Option<T> {
     let (e, f) = (sub(*b, *a), sub(*c, *a));
     let p = cross(ray.direction, f);
@@ -357,8 +359,8 @@ fn facet<T: Number>([a, b, c]: &[V<T>; 3], ray: &Ray<T>) -> Option<T> {
     (u >= zero && v >= zero && u + v <= T::of(1.0)).then(|| dot(f, q) * inverse)
 }
 
-/// An icosahedron whose facets are split in four again and again, with the new corners pushed out onto
-/// the sphere.
+/// Makes a geodesic sphere: the facets of an icosahedron are split in four `splits` times, and the new corners are
+/// pushed out onto the sphere.
 fn geodesic<T: Number>(radius: T, splits: u32) -> NaiveShape<T> {
     let one = T::of(1.0);
     let phi = (one + T::of(5.0).sqrt()) / T::of(2.0);
@@ -398,7 +400,7 @@ fn turn(angle: f64) -> f64 {
     angle.rem_euclid(TAU) / TAU
 }
 
-/// Surface coordinates of a point on a face, as the language has them.
+/// The surface coordinates (u, v) of a point on a face, as the language defines them.
 pub fn uv(geometry: &Geometry, p: [f64; 3], face: u32) -> [f64; 2] {
     let around = || turn((-p[2]).atan2(p[0]));
     let part = |x: f64, min: f64, max: f64| {
@@ -487,8 +489,8 @@ pub fn uv(geometry: &Geometry, p: [f64; 3], face: u32) -> [f64; 2] {
     }
 }
 
-/// The two points of a profile that a point lies between: the first of them, and the share of the way to the next one.
-/// On a disc: its own point.
+/// Finds the piece of a profile that a point lies on: the number of the piece's first point, and the share of the way
+/// to its second point. On a disc, the number of the disc's point and 0.
 fn along(profile: &[[f64; 2]], p: [f64; 3], face: u32) -> (usize, f64) {
     let i = face as usize;
     let pieces = profile.len().saturating_sub(1);
@@ -511,7 +513,7 @@ fn along(profile: &[[f64; 2]], p: [f64; 3], face: u32) -> (usize, f64) {
     )
 }
 
-/// The colour that a shape itself gives a point.
+/// The colour that a shape's own record gives a point; `None` for shapes without colours.
 pub fn own_colour(geometry: &Geometry, p: [f64; 3], face: u32) -> Option<Rgb> {
     let Geometry::Revolution { profile, colours } = geometry else {
         return None;
@@ -522,7 +524,7 @@ pub fn own_colour(geometry: &Geometry, p: [f64; 3], face: u32) -> Option<Rgb> {
     Some(each([0, 1, 2], |k| a[k] * (1.0 - share) + b[k] * share))
 }
 
-/// The normal that light is reckoned with, where it is another.
+/// The normal that light is computed with, if it differs from the geometric one.
 pub fn shading_normal(geometry: &Geometry, p: [f64; 3]) -> Option<[f64; 3]> {
     let Geometry::Triangle { vertices, normals } = geometry else {
         return None;
@@ -539,7 +541,7 @@ pub fn shading_normal(geometry: &Geometry, p: [f64; 3]) -> Option<[f64; 3]> {
     }
 }
 
-/// Barycentric coordinates.
+/// The barycentric coordinates of `p` in a triangle.
 fn weights([a, b, c]: &[[f64; 3]; 3], p: [f64; 3]) -> [f64; 3] {
     let (e, f, g) = (sub(*b, *a), sub(*c, *a), sub(p, *a));
     let n = cross(e, f);

@@ -1,4 +1,4 @@
-//! Camera rays and light, as the language has them.
+//! Camera rays and light, as the language defines them.
 
 use super::form;
 use super::number::{Number, Ray, V, add, cross, dot, scale, sub, unit, vector};
@@ -9,7 +9,7 @@ use crate::scene::{Camera, DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Rgb, Scene, Te
 use crate::trace::bitmap::Bitmap;
 use std::sync::Arc;
 
-/// The rays of a camera's picture.
+/// A camera that sends rays through the points of its picture.
 pub struct Lens<T> {
     size: [T; 2],
     pub position: V<T>,
@@ -21,7 +21,7 @@ pub struct Lens<T> {
 }
 
 impl<T: Number> Lens<T> {
-    /// `None` where the projection has no inverse.
+    /// The camera of a picture of this size; `None` if its projection has no inverse.
     pub fn new(camera: &Camera, width: u32, height: u32) -> Option<Lens<T>> {
         let position = vector(camera.position);
         let forward = unit(vector::<T>(camera.direction));
@@ -118,25 +118,26 @@ fn inverse<T: Number>(m: [[T; 4]; 4]) -> Option<[[T; 4]; 4]> {
     Some(right)
 }
 
-/// The rows of the inverse of a map, but for the last one; computed in the numbers that it is for.
+/// The first three rows of a map's inverse, computed in numbers of the kind `T`. `None` if the map has no inverse.
 pub fn back<T: Number>(matrix: &Matrix) -> Option<[[T; 4]; 3]> {
     let [a, b, c, _] = inverse(matrix.0.map(|row| row.map(T::of)))?;
     Some([a, b, c])
 }
 
-/// The world that rays go through.
+/// The solids of a scene, as rays ask about them.
 pub trait World<T: Number> {
-    /// The first boundary or sheet in (from, to], if the ray is known to start outside, and nothing but
-    /// that is asked. `None`: it does not know, ask for all.
+    /// The first boundary or sheet in (from, to] of a ray that starts outside of all solids; `Some(None)` if it meets
+    /// nothing. `None` if the world has no quick answer: then [`World::events`] has to be asked.
     fn first_from_outside(&mut self, ray: &Ray<T>, from: T, to: T) -> Option<Option<Event<T>>>;
 
-    /// Whether anything opaque, and nothing else, is in the way of a ray that starts outside.
+    /// Whether a ray that starts outside of all solids meets something opaque in (from, to]. `None` if the world has no
+    /// quick answer, or the ray meets something that lets light through.
     fn is_blocked(&mut self, _ray: &Ray<T>, _from: T, _to: T) -> Option<bool> {
         None
     }
 
-    /// All events that may matter in (from, to]; where `to` is infinite, at least up to the first one
-    /// seen.
+    /// All events of a ray that may matter in (from, to]. If `to` is infinite, at least those up to the first visible
+    /// one.
     fn events(&mut self, ray: &Ray<T>, from: T, to: T) -> List<T>;
 
     /// The trail of the last ray asked about.
@@ -146,14 +147,14 @@ pub trait World<T: Number> {
     fn normal(&self, shape: u32, point: V<T>, face: u32) -> V<T>;
 }
 
-/// The parts of a scene besides its geometry that a picture shows.
+/// The parts of a scene that a picture depends on besides its solids.
 pub struct Scenery<'s, T> {
     pub scene: &'s Scene,
     pub textures: Vec<(&'s Texture, Option<Arc<Bitmap>>)>,
-    /// The shape record behind each shape of the world.
+    /// For each shape of the world, the number of its record in the scene.
     pub records: Vec<u32>,
     pub ambient: V<T>,
-    /// Position and power.
+    /// Position and power of each point light.
     pub lights: Vec<(V<T>, V<T>)>,
     pub background: V<T>,
     pub clip: Option<[V<T>; 2]>,
@@ -188,7 +189,7 @@ impl<'s, T: Number> Scenery<'s, T> {
         }
     }
 
-    /// The part of (from, to] in the region that is drawn.
+    /// The part of (from, to] in which the ray is in the render box; `None` if there is no such part.
     pub fn window(&self, ray: &Ray<T>, mut from: T, mut to: T) -> Option<(T, T)> {
         let Some([min, max]) = &self.clip else {
             return Some((from, to));
@@ -216,7 +217,7 @@ impl<'s, T: Number> Scenery<'s, T> {
     }
 }
 
-/// A branch of light still to be followed.
+/// A ray whose light is still to be followed.
 struct Branch<T> {
     ray: Ray<T>,
     from: T,
@@ -232,21 +233,22 @@ struct SurfacePoint<T> {
     facing: V<T>,
     optics: Optics,
     colour: Rgb,
-    /// Before and behind.
+    /// The refractive indices before and behind the surface, for each channel.
     indices: [Rgb; 2],
+    /// Whether there is a solid before and behind the surface.
     inside: [bool; 2],
 }
 
-/// The rays that were sent.
+/// Counts of the rays that were sent.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct RayCounts {
-    /// Rays by what they are for: camera, shadow, reflection, refraction.
+    /// The numbers of camera, shadow, reflection and refraction rays, in this order.
     pub sent: [u64; 4],
-    /// Boundaries at which a channel of light was totally reflected.
+    /// The number of total reflections. Channels with the same refractive indices count as one.
     pub totally_reflected: u64,
 }
 
-/// The light along a camera ray.
+/// The light that arrives along a camera ray, in linear RGB. `outside`: the ray starts outside of all solids.
 pub fn radiance<T: Number, W: World<T>>(
     scenery: &Scenery<T>,
     world: &mut W,
@@ -415,7 +417,8 @@ fn direct<T: Number, W: World<T>>(
     each([0, 1, 2], |c| albedo[c] * light[c])
 }
 
-/// The product of kt over everything on the way to a light, at t = 1, but for what the light lies on.
+/// The share of a light's power that reaches a point, for each channel: the product of kt over all surfaces on the way.
+/// The light is at t = 1. A surface that the light lies on does not count.
 fn visibility<T: Number, W: World<T>>(
     scenery: &Scenery<T>,
     world: &mut W,
@@ -423,7 +426,7 @@ fn visibility<T: Number, W: World<T>>(
     outside: bool,
 ) -> V<T> {
     let one = vector([1.0; 3]);
-    // A textbook's offset is a distance.
+    // A textbook's offset is a distance, and is turned into t here.
     let offset = match T::OFFSET_IS_RELATIVE {
         true => ray.offset(),
         false => T::OFFSET / dot(ray.direction, ray.direction).sqrt(),

@@ -2,9 +2,9 @@
 //! quartic in closed form, coefficients from the ray's origin wherever that is, and one constant distance
 //! within which a ray does not see the surface it leaves.
 //!
-//! In `f32` and `f64` it shows what becomes of hard scenes. In [`Wide`] numbers of 71 digits all of this is
-//! harmless, and it says what is right: it follows every ray of a pixel, from the camera record on, and
-//! shares with the tracer only the resolved scene, the decoded pictures of its textures and, of
+//! In `f32` and `f64` the tracer shows what these shortcuts do to hard scenes. In [`Wide`] numbers of 71 digits they do
+//! no harm, and the colours are the reference. The tracer follows every ray of a pixel, from the camera record on, and
+//! shares with the main tracer only the resolved scene, the decoded pictures of its textures and, of
 //! [`geometry`](crate::geometry), matrices and arrays.
 
 pub mod boxes;
@@ -27,7 +27,7 @@ use light::{Lens, RayCounts, Scenery, radiance};
 use number::Ray;
 use solid::Solids;
 
-/// A scene made ready, with its camera.
+/// A scene and a camera, ready to be traced.
 pub struct Naive<'s, T: Number> {
     scene: &'s Scene,
     images: &'s Images,
@@ -37,7 +37,7 @@ pub struct Naive<'s, T: Number> {
     cutoff: f64,
 }
 
-/// The colour of a place of the picture, and the rays that it took.
+/// The colour at a point of the picture, and the rays that were sent for it.
 #[derive(Debug, Clone, Copy)]
 pub struct Sample {
     /// Linear RGB.
@@ -80,7 +80,7 @@ impl<'s, T: Number> Naive<'s, T> {
         Ok((scenery, solids))
     }
 
-    /// The whole picture; what is no number is black.
+    /// Renders the whole picture. A colour that is not a number becomes black.
     ///
     /// # Errors
     ///
@@ -98,8 +98,9 @@ impl<'s, T: Number> Naive<'s, T> {
         })
     }
 
-    /// How far a ray of doubles is from the right one through the centre of a pixel: its direction, and where it starts
-    /// beside the distance of that from the origin of coordinates.
+    /// The error of a camera ray in doubles, against the exact ray through the centre of a pixel. This is the larger of
+    /// two differences in a coordinate: of the direction, and of the origin, the latter divided by the origin's largest
+    /// coordinate or 1.
     pub fn aside(&self, [x, y]: [u32; 2], origin: [f64; 3], direction: [f64; 3]) -> f64 {
         let right = self.lens.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
         let most = |a: [f64; 3], b: [T; 3]| {
@@ -110,7 +111,7 @@ impl<'s, T: Number> Naive<'s, T> {
         most(direction, right.direction).max(most(origin, right.origin) / far)
     }
 
-    /// The colour that a ray shows.
+    /// The colour that is seen along a ray.
     ///
     /// # Errors
     ///
@@ -141,7 +142,7 @@ impl<'s, T: Number> Naive<'s, T> {
         self.samples(&centres)
     }
 
-    /// Follows the rays through places of the picture, in pixels from its upper left corner, on all threads.
+    /// Follows the rays through points of the picture, in pixels from its upper left corner, on all threads.
     ///
     /// # Errors
     ///

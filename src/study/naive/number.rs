@@ -16,16 +16,17 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Crossings nearer than this are taken for the surface the ray has just left; in parts of the
-    /// largest number that the ray starts with, where that is so.
+    /// The distance up to which a crossing is taken for the surface that the ray has just left. If
+    /// `OFFSET_IS_RELATIVE`, it is a share of the largest coordinate of the ray's origin and direction, otherwise a
+    /// value of t.
     const OFFSET: Self;
     const OFFSET_IS_RELATIVE: bool;
-    /// A lamp is as near as this share of the way to it: a surface there, which the lamp lies on, throws no shadow.
+    /// The last share of the way to a lamp, in which a surface throws no shadow: the lamp may lie on this surface.
     const LAMP: Self;
     /// The bound below which coefficients are taken for zero.
     const TINY: Self;
-    /// Whether roots come from formulas and ends of things are inclusive, as textbooks have it. Else roots
-    /// are isolated by those of the derivative, and halved.
+    /// Whether roots come from formulas and intervals include their ends, as in textbooks. Otherwise roots are isolated
+    /// by those of the derivative, and found by halving.
     const TEXTBOOK: bool;
 
     fn of(x: f64) -> Self;
@@ -74,11 +75,11 @@ macro_rules! number {
 number!(f32, 1e-4, 1e-4, 1e-6);
 number!(f64, 1e-6, 1e-8, 1e-9);
 
-/// About 71 digits.
+/// A number of about 71 decimal digits.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 pub struct Wide(f256);
 
-/// Rounded to doubles: all digits would bring large tables along.
+/// Writes the number rounded to a double: the code that writes all digits would bring large tables along.
 impl std::fmt::Debug for Wide {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{:?}", self.wide())
@@ -90,7 +91,7 @@ const fn power_of_two(exponent: i32) -> Wide {
 }
 
 impl Number for Wide {
-    // 2⁻⁴⁶: what lies in one place up to the rounding of the scene's own numbers is one surface.
+    // 2⁻⁴⁶: surfaces whose distance is a rounding of the scene's own numbers count as one surface.
     const OFFSET: Wide = power_of_two(-46);
     const OFFSET_IS_RELATIVE: bool = true;
     // 2⁻²⁷, as the reference of the language has it.
@@ -102,7 +103,7 @@ impl Number for Wide {
         Wide(f256::from(x))
     }
 
-    /// Rounded towards zero.
+    /// The number as a double, rounded towards zero.
     fn wide(self) -> f64 {
         let (high, _) = self.0.to_bits();
         let sign = if high >> 127 == 1 { -1.0 } else { 1.0 };
@@ -129,7 +130,7 @@ impl Number for Wide {
     }
 
     fn cbrt(self) -> Wide {
-        // For formulas only, which these numbers do without.
+        // Only the formulas need a cube root, and these numbers do without formulas.
         Wide::of(self.wide().cbrt())
     }
 
@@ -207,7 +208,7 @@ pub fn unit<T: Number>(a: V<T>) -> V<T> {
     scale(a, T::of(1.0) / dot(a, a).sqrt())
 }
 
-/// The largest component, in size.
+/// The largest absolute value of a vector's components.
 pub fn size<T: Number>(a: V<T>) -> T {
     a.into_iter()
         .fold(T::of(0.0), |m, x| if x.abs() > m { x.abs() } else { m })
@@ -226,7 +227,7 @@ impl<T: Number> Ray<T> {
         add(self.origin, scale(self.direction, t))
     }
 
-    /// How near, in t, a crossing is taken for the surface that the ray leaves.
+    /// The t up to which a crossing is taken for the surface that the ray leaves.
     pub fn offset(&self) -> T {
         match T::OFFSET_IS_RELATIVE {
             false => T::OFFSET,

@@ -1,6 +1,6 @@
-//! Roots of polynomials: by the formulas of the schoolbook, Cardano and Ferrari, the latter two as in
-//! Schwarze, "Cubic and Quartic Roots" (Graphics Gems, 1990); or, in numbers that have digits to spare,
-//! by halving between the roots of the derivative.
+//! Roots of polynomials by the formulas of textbooks: Cardano's and Ferrari's as in Schwarze, "Cubic and Quartic Roots"
+//! (Graphics Gems, 1990). In numbers that have digits to spare, roots are found by halving between the roots of the
+//! derivative.
 
 use super::number::Number;
 
@@ -70,7 +70,7 @@ fn cubic_root<T: Number>(a: T, b: T, c: T) -> T {
     depressed - a / n(3.0)
 }
 
-/// Appends the real roots of x⁴ + ax³ + bx² + cx + d; by the formula double roots come twice.
+/// Appends the real roots of x⁴ + ax³ + bx² + cx + d. The formula gives a double root twice.
 pub fn quartic<T: Number>([a, b, c, d]: [T; 4], roots: &mut Few<T>) {
     if !T::TEXTBOOK {
         isolated([d, c, b, a, T::of(1.0)], roots);
@@ -99,7 +99,7 @@ pub fn quartic<T: Number>([a, b, c, d]: [T; 4], roots: &mut Few<T>) {
     }
 }
 
-/// The value of a polynomial, the constant first, at x.
+/// The value at `x` of a polynomial whose coefficients begin with the constant.
 fn value<T: Number>(polynomial: &[T], x: T) -> T {
     let zero = T::of(0.0);
     polynomial.iter().rev().fold(zero, |sum, &c| sum * x + c)
@@ -137,7 +137,7 @@ fn isolated<T: Number>(polynomial: [T; 5], roots: &mut Few<T>) {
     ends.into_iter().for_each(|t| roots.push(t));
 }
 
-/// The root between two places where the signs differ.
+/// The root between `low` and `high`; `None` if the polynomial has the same sign at both.
 fn halved<T: Number>(polynomial: &[T], mut low: T, mut high: T) -> Option<T> {
     let zero = T::of(0.0);
     let rises = value(polynomial, low) < zero;
@@ -149,7 +149,7 @@ fn halved<T: Number>(polynomial: &[T], mut low: T, mut high: T) -> Option<T> {
         .collect();
     let half = T::of(0.5);
     let mut x = (low + high) * half;
-    // Newton's steps where they stay within and make headway, halving else.
+    // Newton's step is taken where it stays between the ends, halving otherwise.
     for _ in 0..400 {
         let here = value(polynomial, x);
         if (here < zero) == rises {

@@ -1,4 +1,4 @@
-//! A scene's tree of solids, complements driven down to the shapes.
+//! A scene's tree of solids, with complements pushed down to the shapes.
 
 use super::boxes::{Bounds, Boxes};
 use super::form::{NaiveShape, Roots};
@@ -16,7 +16,7 @@ enum Solid<T> {
         shape: u32,
         negated: bool,
     },
-    /// Operands in order: those with bounds in a tree.
+    /// `parts` are the operands in order. `boxes` has the numbers of those with bounds, `loose` of those without.
     Union {
         parts: Vec<u32>,
         loose: Vec<u32>,
@@ -29,7 +29,7 @@ enum Solid<T> {
     Everything,
 }
 
-/// The reason why a scene is not traced.
+/// The reason why a scene cannot be traced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unfit {
     NothingDrawn,
@@ -39,9 +39,10 @@ pub enum Unfit {
     Singular,
 }
 
-/// More solids than these are not looked at, nor more crossings of one picture.
+/// The largest number of solids that a scene may have.
 const MAX_SOLIDS: usize = 300_000;
 const MAX_DEPTH: u32 = 150;
+/// The largest number of tests of a ray with a shape. After more tests the answers are incomplete.
 const MAX_CROSSINGS: u64 = 30_000_000;
 
 pub struct Solids<'s, T> {
@@ -49,8 +50,9 @@ pub struct Solids<'s, T> {
     forms: Vec<Option<NaiveShape<T>>>,
     solids: Vec<Solid<T>>,
     root: u32,
-    /// Textures of paints: index into `textures`.
+    /// The textures of all paints that have one.
     pub textures: Vec<&'s Texture>,
+    /// For each paint, the number of its texture in `textures`.
     texture_of: Vec<Option<u32>>,
     trail: Trail<T>,
     roots: Roots<T>,
@@ -183,7 +185,7 @@ impl<'s, T: Number> Solids<'s, T> {
         });
         let sheet = !record.geometry.is_solid();
         if !T::TEXTBOOK && !sheet {
-            // A touch has no inside.
+            // Two crossings in one place are a touch: no inside lies between them.
             let tie = self.trail.frames[frame as usize].ray.offset();
             let mut kept: Vec<(T, u32)> = Vec::with_capacity(self.roots.list.len());
             for &root in &self.roots.list {
@@ -239,7 +241,7 @@ impl<T: Number> World<T> for Solids<'_, T> {
     }
 }
 
-/// The properties that the paints of a scene set, after the defaults.
+/// The optics and refractive indices of a scene: the defaults first, then those of each paint.
 fn media(scene: &Scene) -> Media {
     let mut media = Media::default();
     for paint in &scene.paints {
@@ -282,7 +284,8 @@ impl<'s, T: Number> Build<'s, T> {
         Ok(self.made[&(root, false)])
     }
 
-    /// The operation that a node is, complements driven inwards.
+    /// The operation of a node and its operands; `None` if the node is no operation. Each `bool` says whether the
+    /// complement of the node is meant: De Morgan's laws push complements down to the operands.
     fn operation(
         &self,
         (node, negated): (NodeId, bool),
@@ -300,7 +303,7 @@ impl<'s, T: Number> Build<'s, T> {
         })
     }
 
-    /// The solids that have to be made before; for a union all operands of the chain that it ends.
+    /// The nodes whose solids have to be made first. For a union, these are the operands of the whole chain of unions.
     fn needs(&self, place: (NodeId, bool)) -> Vec<(NodeId, bool)> {
         let (node, negated) = place;
         match self.operation(place) {
@@ -367,7 +370,7 @@ impl<'s, T: Number> Build<'s, T> {
                     (Solid::Placed(of[0], Box::new(rows)), limits)
                 }
                 Node::Paint { paint, .. } => (Solid::Painted(of[0], paint), bounds(self, of[0])),
-                // The same solid.
+                // A complement or a copy has the solid of its child.
                 _ => return Ok(of[0]),
             },
         };
@@ -402,7 +405,7 @@ impl<'s, T: Number> Build<'s, T> {
     }
 }
 
-/// A box around the image of a box.
+/// The bounds of the image of a box under a map.
 fn moved(bounds: &Bounds, matrix: &Matrix) -> Bounds {
     if !bounds.is_bounded() {
         return Bounds::ALL;

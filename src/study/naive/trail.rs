@@ -1,32 +1,33 @@
-//! The trail of a ray: shapes in their places, and the boundaries that operations make of their crossings (Roth, "Ray
-//! Casting for Modeling Solids", 1982).
+//! The trail of a ray: the shapes that it meets in their spaces, and the boundaries that operations make of its
+//! crossings (Roth, "Ray Casting for Modeling Solids", 1982).
 
 use super::number::{Number, Ray, V, dot};
 use crate::geometry::array::each;
 use crate::scene::{DEFAULT_INDEX, Optics, Rgb};
 
-/// A space on the way down to a shape.
+/// The space of a node on the way down to a shape.
 #[derive(Debug, Clone, Copy)]
 pub struct LocalSpace<T> {
     pub parent: u32,
-    /// The rows of the map into it out of its parent.
+    /// The rows of the map from the parent's space into this one.
     pub back: [[T; 4]; 3],
     pub ray: Ray<T>,
 }
 
-/// Properties given on the way down: what is set first stays.
+/// The properties that paints on the way down to a shape give. The value that is given first, farthest up, stays.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct GivenProperties {
-    /// The texture, and the space in which it was given.
+    /// The number of the texture, and of the frame in which it was given.
     pub texture: Option<(u32, u32)>,
-    /// Indices into [`Media`].
+    /// The number of the optics in [`Media`]; `None` for the default.
     pub optics: Option<u32>,
+    /// The number of the refractive index in [`Media`]; `None` for the default.
     pub index: Option<u32>,
-    /// The outermost entity that was given any; 0: none.
+    /// The ID of the outermost entity that was given a property; 0 for none.
     pub owner: u32,
 }
 
-/// The properties that looks are made of; the first of each is the default.
+/// The optics and refractive indices that [`GivenProperties`] refer to. The first of each is the default.
 #[derive(Debug, Clone)]
 pub struct Media {
     pub optics: Vec<Optics>,
@@ -51,7 +52,7 @@ impl Media {
         self.indices[look.index.unwrap_or(0) as usize]
     }
 
-    /// Whether light notices no boundary between the two.
+    /// Whether `a` and `b` have the same optics and refractive index, so that light notices no boundary between them.
     fn are_same(&self, a: &GivenProperties, b: &GivenProperties) -> bool {
         (a.optics == b.optics || self.optics(a) == self.optics(b))
             && (a.index == b.index || self.index(a) == self.index(b))
@@ -78,11 +79,11 @@ pub struct Event<T> {
     pub seen: bool,
     /// The leaf whose properties the surface has.
     pub owner: u32,
-    /// The leaf whose medium is behind it; `None` outside.
+    /// The leaf whose medium is behind the crossing; `None` outside of all solids.
     pub after: Option<u32>,
 }
 
-/// Events in order, and the leaf whose medium the line comes from.
+/// Events by ascending t. `start` is the leaf whose medium the line comes from; `None` outside of all solids.
 #[derive(Debug, Clone)]
 pub struct List<T> {
     pub start: Option<u32>,
@@ -104,7 +105,7 @@ impl<T> List<T> {
     }
 }
 
-/// The scratch of one ray.
+/// The spaces and leaves that one ray has met.
 #[derive(Debug, Clone)]
 pub struct Trail<T> {
     pub frames: Vec<LocalSpace<T>>,
@@ -122,7 +123,7 @@ impl<T> Default for Trail<T> {
     }
 }
 
-/// A ray through the map whose rows are given.
+/// Maps a ray by the map with these rows.
 pub fn through<T: Number>(back: &[[T; 4]; 3], ray: &Ray<T>) -> Ray<T> {
     let row = |i: usize, v: V<T>| dot([back[i][0], back[i][1], back[i][2]], v);
     Ray {
@@ -159,7 +160,7 @@ impl<T: Number> Trail<T> {
         self.frames.len() as u32 - 1
     }
 
-    /// A normal of a frame's space in the scene's, of any length.
+    /// Maps a normal from a frame's space to the scene's. The result has any length.
     pub fn normal(&self, frame: u32, mut normal: V<T>) -> V<T> {
         let mut frame = frame;
         while frame != 0 {
@@ -171,7 +172,8 @@ impl<T: Number> Trail<T> {
         normal
     }
 
-    /// Joins two lists. `tie`: what is no farther apart, in t, is in one place; below 0 nothing is.
+    /// Joins the events of two operands. Events that are at most `tie` apart in t are in one place; below 0, each event
+    /// has a place of its own.
     pub fn join(&self, operation: Operation, a: List<T>, b: List<T>, tie: T) -> List<T> {
         if operation == Operation::Union {
             if a.is_nothing() {
@@ -208,7 +210,7 @@ impl<T: Number> Trail<T> {
                 (Some(x), None) | (None, Some(x)) => x.t,
                 (None, None) => break,
             };
-            // All that lies in this place.
+            // All events of both operands in this place are judged together.
             let (i0, j0) = (i, j);
             let mut last = first;
             loop {
@@ -247,7 +249,8 @@ impl<T: Number> Trail<T> {
         out
     }
 
-    /// The outcome of the events in one place, by what was before and what is after.
+    /// Appends the boundaries that the events in one place make. `here` has the events of the two operands; `before`
+    /// and `after` are the media of the operands on either side of the place.
     fn judge(
         &self,
         operation: Operation,
@@ -265,7 +268,7 @@ impl<T: Number> Trail<T> {
             let (x, y) = inside(1 - list);
             let shown = match (operation, list) {
                 (Operation::Union, _) => true,
-                // One that lies in a face counts as inside.
+                // A sheet that lies in a face of the other operand counts as inside of it.
                 (Operation::Intersection, _) => x || y,
                 (Operation::Difference | Operation::Removal, 0) => !x || !y,
                 (Operation::Difference | Operation::Removal, _) => false,
@@ -284,7 +287,8 @@ impl<T: Number> Trail<T> {
             _ => true,
         };
         if operation == Operation::Union {
-            // Whose point it is on either side, the first operand's first.
+            // For each side of the place, the operand that holds the medium there. The event of the first operand is
+            // preferred.
             let holder = |s: (Option<u32>, Option<u32>)| match s {
                 (Some(_), _) => Some(0),
                 (None, Some(_)) => Some(1),
@@ -337,8 +341,8 @@ impl<T: Number> Trail<T> {
 pub enum Operation {
     Union,
     Intersection,
-    /// A face made by the cut looks like what is cut.
+    /// A difference in which a face that the cut makes has the look of the solid that is cut.
     Difference,
-    /// A face made by the cut looks like what cuts.
+    /// A difference in which a face that the cut makes has the look of the solid that cuts.
     Removal,
 }

@@ -1,7 +1,7 @@
-//! The kernel that most ray tracers have, over the hierarchy of ours: closed forms from the ray's origin
-//! as it is, one constant epsilon, no bounds on errors, nothing that is asked again.
+//! A kernel like that of most ray tracers, over the hierarchy of ours: closed formulas with coefficients from the ray's
+//! own origin, one constant epsilon, no bounds on errors, and no decision that is asked again in more digits.
 //!
-//! Beside the tracer in the same numbers it says what certainty costs, and what it puts right.
+//! A comparison with the tracer in the same numbers shows what certainty costs, and which errors it avoids.
 
 pub mod solver;
 
@@ -22,7 +22,7 @@ use crate::trace::stats::{Counts, Rays};
 use crate::trace::{Settings, Tracer};
 use std::ops::Range;
 
-/// Objects nested deeper are not for a kernel that calls itself.
+/// The largest depth of nested objects that are drawn: the kernel is recursive.
 const MAX_DEPTH: u32 = 200;
 
 /// The plain kernel with a camera.
@@ -34,17 +34,17 @@ pub struct Plain<'a, T> {
     rays: RayCounts,
 }
 
-/// An object entered on the way down.
+/// An object that the ray has entered on the way down to the shapes.
 #[derive(Clone, Copy)]
 struct Context {
     object: u32,
     frame: u32,
-    /// The ray as the tree of the object sees it.
+    /// The ray in the object's space, prepared for tests with the boxes of its tree.
     beam: Beam,
     look: GivenProperties,
 }
 
-/// The least t at which a child of a context's tree may be met.
+/// A child of a tree that is still to be visited: the least t at which the ray may meet it, its context, the child.
 type PendingNode<T> = (T, u32, Child);
 
 struct Walker<'a, T> {
@@ -63,15 +63,15 @@ struct Walker<'a, T> {
     boxes: u64,
 }
 
-/// Whether the plain kernel can draw what a tracer does; if not, why.
+/// Checks that the plain kernel can draw a tracer's scene.
 ///
 /// # Errors
 ///
-/// A message of the catalogues.
+/// The ID of the message that says why not: objects are nested too deeply, or geodesic spheres have too many facets.
 pub fn fits(tracer: &Tracer, scene: &Scene) -> Result<(), &'static str> {
     let graph = &tracer.graph;
     let mut depths = vec![0u32; graph.objects.len()];
-    // Objects come after those that they are made of.
+    // The objects of the graph come after the objects that they are made of.
     for (i, object) in graph.objects.iter().enumerate() {
         let deepest = |parts: &mut dyn Iterator<Item = u32>| {
             let of = |part: u32| match graph.parts[part as usize].target {
@@ -103,7 +103,7 @@ pub fn fits(tracer: &Tracer, scene: &Scene) -> Result<(), &'static str> {
 }
 
 impl<'a, T: Number> Plain<'a, T> {
-    /// Hands out what draws the pixels of a picture.
+    /// Calls `draw` with a kernel that draws the pixels of the camera's picture, and returns the answer of `draw`.
     ///
     /// # Errors
     ///
@@ -188,7 +188,7 @@ impl<T: Number> Pixels for Plain<'_, T> {
                 self.outside,
                 &mut self.rays,
             );
-            // A plain kernel may come to no number; a picture shows black there.
+            // The formulas may end in NaN or infinity; the picture shows black there.
             let light = each(light, |c| if c.is_finite() { c } else { 0.0 });
             sum = each([0, 1, 2], |c| sum[c] + light[c]);
         }
@@ -243,7 +243,7 @@ fn beam<T: Number>(ray: &Ray<T>, frame: &Frame) -> Beam {
 struct Best<T> {
     t: T,
     event: Option<Event<T>>,
-    /// Whether the first crossing will do.
+    /// Whether any crossing will do, so that the search stops at the first one that it finds.
     any: bool,
 }
 
@@ -259,7 +259,7 @@ impl<'a, T: Number> Walker<'a, T> {
         });
     }
 
-    /// The frame and the look of a part.
+    /// Returns the frame of a part, and its look: the properties given above the part, and its own paint for the rest.
     fn placed(&mut self, context: u32, part: &graph::Part) -> (u32, GivenProperties) {
         let above = self.contexts[context as usize];
         let coat = &self.graph.paints[part.paint as usize];
@@ -309,7 +309,7 @@ impl<'a, T: Number> Walker<'a, T> {
         self.trail.leaves.len() as u32 - 1
     }
 
-    /// Finds the crossings of a part that is a shape, into `roots`.
+    /// Finds the crossings of the ray with a part that is a shape, into `roots`.
     fn cross(&mut self, context: u32, part: &graph::Part, shape: u32) {
         self.tests += 1;
         let above = self.contexts[context as usize].frame;
@@ -321,7 +321,8 @@ impl<'a, T: Number> Walker<'a, T> {
         self.forms[shape as usize].cross(&ray, &mut self.roots);
     }
 
-    /// The nearest crossing with anything in (from, to]; of intersections their own boundary counts.
+    /// The nearest crossing with anything in (from, to), or with `any` the first that is found. In an intersection only
+    /// the boundary of the whole counts.
     fn nearest(&mut self, ray: &Ray<T>, from: T, to: T, any: bool) -> Option<Event<T>> {
         self.begin(ray);
         let mut best = Best {
@@ -440,7 +441,7 @@ impl<'a, T: Number> Walker<'a, T> {
         }
     }
 
-    /// The events of all that is near the stretch of a line.
+    /// The events on the ray of all parts whose boxes it meets between `from` and `to`.
     fn between(&mut self, ray: &Ray<T>, from: T, to: T) -> List<T> {
         self.begin(ray);
         self.object(0, from, to)
@@ -573,7 +574,7 @@ impl<T: Number> World<T> for Walker<'_, T> {
         if !to.wide().is_finite()
             && let Some(first) = self.nearest(ray, from, to, false)
         {
-            // A little further, for what lies in the same place.
+            // The stretch ends a little behind the first crossing, so that everything in the same place is in it.
             let near = first.t + first.t * T::TINY.sqrt() + T::OFFSET;
             let list = self.between(ray, from, near);
             let seen = |e: &Event<T>| e.seen && e.t > from && e.t <= near;

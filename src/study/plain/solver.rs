@@ -1,4 +1,4 @@
-//! Alternative ways to the roots of tori and surfaces of revolution, in doubles.
+//! Alternative methods for the roots of tori and surfaces of revolution, in doubles.
 
 use crate::geometry::array::each;
 use crate::geometry::dd::Dd;
@@ -15,15 +15,15 @@ use crate::trace::switches::Solver;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// The formula, from the line's origin as it is.
+    /// The closed formula, with coefficients from the line's own origin.
     ClosedForm,
-    /// The same formula, once the origin is moved to the point nearest to the shape's centre.
+    /// The closed formula, after the origin was moved to the point of the line nearest to the shape's centre.
     Recentred,
-    /// The tracer's roots, polished by Newton's method in double-double.
+    /// The tracer's roots, improved by Newton's method in double-double.
     Polished,
 }
 
-/// A shape that can be solved in other ways.
+/// A shape whose roots can be found by other methods.
 enum SolvableShape {
     Torus { major: f64, minor: f64 },
     Revolution(NaiveShape<f64>, Vec<[[f64; 2]; 2]>),
@@ -31,7 +31,7 @@ enum SolvableShape {
 
 struct Other {
     method: Method,
-    /// The shapes to be solved, beside the primitives of the graph.
+    /// For each primitive of the graph: its shape and a copy of the primitive; `None` for shapes of other kinds.
     shapes: Vec<Option<(SolvableShape, Primitive)>>,
 }
 
@@ -56,14 +56,14 @@ fn known(geometry: &Geometry) -> Option<SolvableShape> {
     }
 }
 
-/// Whether a method may give other roots for what a tracer draws.
+/// Whether a tracer draws a torus or a surface of revolution, whose roots depend on the method.
 pub fn applies(scene: &Scene, tracer: &Tracer) -> bool {
     let geometry = |r: &u32| &scene.shapes[*r as usize].geometry;
     let mut all = tracer.graph.records.iter().map(geometry);
     all.any(|g| matches!(g, Geometry::Torus { .. } | Geometry::Revolution { .. }))
 }
 
-/// The method for what a tracer draws; `None` where no shape knows it.
+/// The solver with a method for the shapes that a tracer draws; `None` if no method applies to any of them.
 pub fn of(scene: &Scene, tracer: &Tracer, method: Method) -> Option<Box<dyn Solver>> {
     let geometry = |r: &u32| &scene.shapes[*r as usize].geometry;
     let shapes = (tracer.graph.records.iter())
@@ -72,7 +72,7 @@ pub fn of(scene: &Scene, tracer: &Tracer, method: Method) -> Option<Box<dyn Solv
     applies(scene, tracer).then(|| Box::new(Other { method, shapes }) as Box<dyn Solver>)
 }
 
-/// The method for one shape, which has the number 0; `None` where the shape does not know it.
+/// The solver with a method for one shape, which gets the number 0; `None` if no method applies to the shape.
 pub fn of_shape(geometry: &Geometry, method: Method) -> Option<Box<dyn Solver>> {
     let shape = (known(geometry)?, Primitive::new(geometry));
     let shapes = vec![Some(shape)];
@@ -121,7 +121,8 @@ impl SolvableShape {
                 let mut found = form::Roots::default();
                 form.cross(ray, &mut found);
                 for (i, (t, face)) in found.list.into_iter().enumerate() {
-                    // As it is seen from below, and whether that is the outward one.
+                    // The normal of the piece as if its profile rose. The root is marked as flipped where this normal
+                    // points inwards: on entering it then points along the ray, on leaving against it.
                     let [[x0, y0], [x1, y1]] = pieces[face as usize];
                     let p = ray.at(t);
                     let rho = p[0].hypot(p[2]).max(f64::MIN_POSITIVE);
@@ -146,7 +147,7 @@ impl SolvableShape {
         roots.list.sort_by(|a, b| a.t.total_cmp(&b.t));
     }
 
-    /// Two of Newton's steps on the distance from the surface in the half-plane of the point.
+    /// Improves each root by two steps of Newton's method on `value`, in double-double.
     fn polish(&self, line: &Line, roots: &mut Roots) {
         let (o, d): (Vec3<Dd>, Vec3<Dd>) = (line.origin.cast(), line.direction.cast());
         for root in &mut roots.list {
@@ -157,7 +158,7 @@ impl SolvableShape {
                     break;
                 };
                 let step = value / slope;
-                // A touch has no slope.
+                // Where the line only touches the surface, the slope is zero and the step boundless.
                 let most = Dd::of(1e-3 * root.t.abs());
                 if step.abs() > most || step.to_f64().is_nan() {
                     break;
@@ -169,7 +170,8 @@ impl SolvableShape {
         roots.list.sort_by(|a, b| a.t.total_cmp(&b.t));
     }
 
-    /// How far a point is off a face, in some measure, and how fast that changes along d.
+    /// The value of a face's equation at a point, 0 on the face, and its derivative along `d`. `None` if there is no
+    /// such face.
     fn value(&self, p: Vec3<Dd>, d: Vec3<Dd>, face: u32) -> Option<(Dd, Dd)> {
         let two = Dd::of(2.0);
         let square = p[0] * p[0] + p[2] * p[2];

@@ -99,6 +99,22 @@ impl LineContext<'_> {
                     .take(1),
             );
         }
+        out.extend(self.colours_alone(ty, used));
+    }
+
+    /// A guess at a checkerboard for which two colours stand, and no numbers of fields: one field of each colour.
+    fn colours_alone(&self, ty: &RecordType, used: &[u32]) -> Option<Candidate> {
+        let params = self.params();
+        if ty.kind != RecordKind::Checkerboard || params.len() != 2 * PARTS {
+            return None;
+        }
+        let (one, two) = params.split_at(PARTS);
+        let list = [self.colour(one)?.1, self.colour(two)?.1];
+        let mut candidate = self.with_records(&list, used)?;
+        let mut edits = candidate.fix.edits.iter_mut();
+        let first = edits.find(|e| e.span == list[0].span)?;
+        first.text = format!("1 1 {}", first.text);
+        Some(candidate)
     }
 
     /// The colours in the places that are bits of `chosen`, if the record then has exactly its first `count`

@@ -170,6 +170,12 @@ pub(super) fn with_other_optics(context: &Context) -> FxHashSet<u32> {
     others.map(|(record, _)| record.id).collect()
 }
 
+/// Whether a comment calls what a record defines a mirror or glass.
+pub(super) fn calls(context: &Context, record: &Record) -> bool {
+    let p = context.record_params(record);
+    p.comments().any(|said| look(said, &p).is_some())
+}
+
 fn gives_optics(record: &Record) -> bool {
     super::OPTICS.contains(&record.kind) || record.kind == RecordKind::Assignment
 }

@@ -1,4 +1,4 @@
-//! The report as one page that needs nothing else: no script, light, dark and print.
+//! The report as one HTML page that needs no other file and no script, for light, dark and print.
 
 use super::super::advice::names;
 use super::super::configurations::{Axis, Kind};

@@ -15,8 +15,9 @@ pub(super) fn picture(raster: &Raster) -> String {
     address(raster.width, raster.height, &bytes)
 }
 
-/// The difference of two pictures, times a factor that makes it visible; few wrong pixels are framed. Also
-/// the factor, the largest difference in steps and how many pixels are off by more than one.
+/// Draws the difference of two pictures, times a factor that makes it visible; wrong pixels are framed if there are
+/// few. Returns the address of the picture, the factor, the largest difference in steps, and the number of pixels that
+/// are off by more than a step.
 pub(super) fn difference(a: &Raster, b: &Raster) -> (String, f64, f64, usize) {
     let off: Vec<f64> = a
         .pixels
@@ -56,9 +57,10 @@ pub(super) fn difference(a: &Raster, b: &Raster) -> (String, f64, f64, usize) {
     (address(a.width, a.height, &bytes), factor, largest, wrong)
 }
 
-/// Values in the colours of cividis, from 0 or the least to the largest; grey where there is none.
+/// Draws values in the colours of cividis, from 0 to the value that 99 % of them do not exceed; grey where there is no
+/// value. Returns the address of the picture and that value.
 pub(super) fn map(width: u32, height: u32, values: &[f64]) -> (String, f64) {
-    // A single dear pixel must not make all others dark.
+    // A single expensive pixel must not make all others dark.
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
     let most = sorted

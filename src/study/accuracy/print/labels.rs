@@ -7,7 +7,7 @@ pub(super) struct LabelBox(pub [f64; 4]);
 /// A name to be placed.
 #[derive(Debug, Clone)]
 pub(super) struct Label {
-    /// The number of its point.
+    /// The number of the label's point.
     pub point: usize,
     /// Width of the label.
     pub width: f64,
@@ -15,14 +15,15 @@ pub(super) struct Label {
     pub needed: bool,
 }
 
-/// The things that names make room for.
+/// The things in a diagram that names make room for.
 #[derive(Debug, Clone)]
 pub(super) struct Surroundings {
-    /// Names stay inside of this.
+    /// The box that names stay inside of.
     pub within: LabelBox,
     /// The places of the points' marks.
     pub points: Vec<[f64; 2]>,
-    /// Lines that better stay legible, and how much worse it is to cover one than to be one mark farther away.
+    /// Lines that had better stay legible, each with the cost of covering it. A name that is one mark farther from its
+    /// point costs 1.
     pub lines: Vec<([[f64; 2]; 2], f64)>,
 }
 
@@ -30,23 +31,26 @@ pub(super) struct Surroundings {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Placed {
     pub frame: LabelBox,
-    /// A line that leads from the point to the name, where it would be taken for another point's, or far away.
+    /// A line from the point to the name, if the name is far away or would be taken for another point's.
     pub leader: Option<[[f64; 2]; 2]>,
 }
 
-/// How high names are, and half as wide as a mark.
+/// The height of a name.
 const HEIGHT: f64 = 11.0;
+/// Half the width of a mark.
 const MARK: f64 = 5.5;
 
-/// Distance of a name from the middle of its mark: beside it, or up to this much farther, and higher or lower.
+/// Distance of a name from the middle of its mark.
 const LABEL_OFFSET: f64 = 9.5;
+/// The additional distances from the mark that are tried.
 const FARTHER: [f64; 5] = [0.0, 9.0, 19.0, 31.0, 45.0];
+/// The shifts up and down that are tried.
 const HIGHER: [f64; 6] = [0.0, 8.0, 15.0, 23.0, 32.0, 42.0];
 
-/// Points that are nearer to each other are one: whoever sees the one sees the other.
+/// The distance below which two points look like one.
 const ONE: f64 = 3.0;
 
-/// The places of a name beside its point, each with the amount by which it is worse than right beside the point.
+/// The boxes that a name may take near its point, each with its cost above that of the best box.
 fn places([x, y]: [f64; 2], width: f64) -> Vec<(f64, LabelBox)> {
     let (w, h) = (width / 2.0, HEIGHT / 2.0);
     let around = |cx: f64, cy: f64| LabelBox([cx - w, cy - h, cx + w, cy + h]);
@@ -55,7 +59,7 @@ fn places([x, y]: [f64; 2], width: f64) -> Vec<(f64, LabelBox)> {
         let cost = farther / 9.0;
         let out_to = LABEL_OFFSET + farther;
         for higher in HIGHER {
-            // Diagonally the corner comes as near as an edge does elsewhere.
+            // A name above or below comes nearer: its corner is then about as near as its edge would be.
             let across = if higher > 0.0 {
                 out_to - 0.3 * LABEL_OFFSET
             } else {
@@ -91,7 +95,7 @@ impl LabelBox {
         l <= ol && or <= r && t <= ot && ob <= b
     }
 
-    /// The point of it that is nearest to a place.
+    /// The point of the box that is nearest to a place.
     fn nearest(self, [x, y]: [f64; 2]) -> [f64; 2] {
         let LabelBox([l, t, r, b]) = self;
         [x.clamp(l, r), y.clamp(t, b)]
@@ -102,7 +106,7 @@ impl LabelBox {
         (x - place[0]).hypot(y - place[1])
     }
 
-    /// Whether a line runs through it (Liang and Barsky, 1984).
+    /// Whether a line runs through the box (Liang and Barsky, 1984).
     fn is_crossed(self, [[x0, y0], [x1, y1]]: [[f64; 2]; 2]) -> bool {
         let LabelBox([l, t, r, b]) = self;
         let (dx, dy) = (x1 - x0, y1 - y0);
@@ -121,7 +125,7 @@ impl LabelBox {
     }
 }
 
-/// Places names one after the other, those first that are needed; `None` for one that finds no room.
+/// Places names one after the other, the needed ones first; `None` for a name that finds no room.
 pub(super) fn place(labels: &[Label], around: &Surroundings) -> Vec<Option<Placed>> {
     let mut out: Vec<Option<Placed>> = vec![None; labels.len()];
     let mut order: Vec<usize> = (0..labels.len()).collect();
@@ -148,7 +152,7 @@ fn best(label: &Label, around: &Surroundings, taken: &[Placed]) -> Option<Placed
     (cost < COVERED || label.needed).then_some(placed)
 }
 
-/// Cost of covering a mark or another name: more than all else together.
+/// Cost of covering a mark or another name: more than all other costs together.
 const COVERED: f64 = 1e3;
 
 /// Cost of a name that is nearer to another point than to its own.
@@ -177,7 +181,7 @@ fn judged(
         cost += ASTRAY;
     }
     let leader = (is_astray || distance > 2.0 * LABEL_OFFSET).then(|| {
-        // From the edge of the mark on.
+        // The leader begins at the edge of the mark.
         let end = frame.nearest(own);
         let share = MARK / distance.max(MARK);
         [[0, 1].map(|i| own[i] + share * (end[i] - own[i])), end]

@@ -12,7 +12,7 @@ use super::advice::in_language;
 use super::report::Report;
 use crate::diagnostics::Language;
 
-/// Names and contents of the files of a report. What people read is in their language.
+/// Names and contents of the files of a report. All but the JSON are in `language`.
 pub fn files(report: &Report, language: Language) -> Vec<(&'static str, String)> {
     let json = serde_json::to_string_pretty(report).unwrap_or_default() + "\n";
     let report = &in_language(report, language);

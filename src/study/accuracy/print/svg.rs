@@ -1,5 +1,5 @@
-//! Work-precision diagrams by hand: one panel for each kind of error, all with the same axes, error on x and
-//! time on y, both logarithmic, with a gutter on the left for what has no error at all.
+//! Work-precision diagrams as SVG: one panel for each kind of error, all with the same axes, error on x and time on y,
+//! both logarithmic. A gutter on the left has the points without any error.
 
 use super::super::configurations::{Axis, Kind};
 use super::super::number_format::{self, local, say};
@@ -29,9 +29,9 @@ const WIDTH: f64 = 1080.0;
 const HEIGHT: f64 = 360.0;
 const TOP: f64 = 46.0;
 const BOTTOM: f64 = 292.0;
-/// Width of the gutter, and of the gaps around it.
+/// Width of the gutter.
 const GUTTER: f64 = 27.0;
-/// Decades of the error.
+/// The powers of ten that the axis of errors spans, in steps.
 const DECADES: std::ops::RangeInclusive<i32> = -6..=2;
 
 /// The colour and the marker of an axis: no two in one panel share either.
@@ -89,7 +89,7 @@ impl Shape {
     }
 }
 
-/// A file of its own.
+/// The diagram as an SVG file of its own.
 pub fn file(report: &Report, language: Language) -> String {
     let panels = panels(report, language);
     let open = "<svg ";
@@ -112,7 +112,7 @@ struct Scale {
     left: f64,
     /// The left and the right end of the logarithmic part.
     x: [f64; 2],
-    /// Powers of two of the time.
+    /// The ends of the axis of times, as exponents of 2.
     low: f64,
     high: f64,
 }
@@ -133,7 +133,7 @@ impl Scale {
     }
 }
 
-/// The panels of the kinds that there are.
+/// Draws a panel for each kind of error that has rows to be shown.
 pub fn panels(report: &Report, language: Language) -> String {
     let kinds: Vec<Kind> = (Kind::ALL.into_iter())
         .filter(|&k| report.of_kind(k).any(is_shown))
@@ -349,7 +349,7 @@ fn marks(out: &mut String, report: &Report, rows: &[&Row], s: &Scale, language: 
         let own: Vec<&&Row> = rows.iter().filter(|r| r.is_on(axis)).collect();
         let places: Vec<(f64, f64)> = own.iter().map(|r| place(s, r)).collect();
         let (class, shape) = marker(axis);
-        // Numbers and solvers are no sequence.
+        // Numbers and solvers are no sequence: no curve joins their points.
         let is_ladder = !matches!(axis, Axis::Precision | Axis::Solver);
         if is_ladder && places.len() > 1 {
             let _ = writeln!(

@@ -4,7 +4,7 @@ use super::super::number_format::{self, local, say};
 use super::super::report::Report;
 use crate::diagnostics::Language;
 
-/// The first column is text, the others are numbers.
+/// A table whose first column is text, and whose other columns are numbers.
 pub(super) struct Table {
     pub head: Vec<String>,
     pub rows: Vec<Vec<String>>,
@@ -21,7 +21,7 @@ impl Table {
     }
 }
 
-/// Time and error by what is seen first, the dearest objects first.
+/// The table of time and error for each object that is seen first, the most expensive ones first.
 pub(super) fn objects(report: &Report, language: Language) -> Table {
     let mut table = Table::new(language, "accuracy-objects-head");
     let percent = |share: f64| number_format::percent(language, share) + " %";
@@ -41,7 +41,7 @@ pub(super) fn objects(report: &Report, language: Language) -> Table {
     table
 }
 
-/// The table of the time that goes with each effect that is taken out.
+/// The table of the time that is saved when an effect is taken out.
 pub(super) fn effects(report: &Report, language: Language) -> Table {
     let mut table = Table::new(language, "accuracy-effects-head");
     for effect in &report.effects {

@@ -1,4 +1,4 @@
-//! The report in some 35 lines.
+//! The report for the terminal, in some 35 lines.
 
 use super::super::advice::names;
 use super::super::configurations::{Axis, Kind};
@@ -9,16 +9,17 @@ use crate::diagnostics::{Complaint, Language};
 use std::fmt::Write as _;
 use unicode_width::UnicodeWidthStr as _;
 
-/// How wide a row is without its bar, and the longest bar.
+/// The width of a row without its bar, in columns.
 const ROW: usize = 78;
+/// The length of the longest bar, in columns.
 const BAR: usize = 24;
-/// Entries of a list that are as wide are sentences.
+/// The width in columns from which an entry of a list counts as a sentence.
 const SENTENCE: usize = 40;
-/// Rows of each kind, unless more are needed.
+/// The number of rows shown of each kind, unless more are needed.
 const MOST_ROWS: usize = 5;
 
-/// The text in lines no wider than `width`, from 80 on; `page` says where the page is, if it was written. Bars stand where
-/// there is room.
+/// The report in lines no wider than `width`, but at least 80 columns. `page` is the line that says where the page was
+/// written. Bars are drawn where there is room.
 pub fn text(report: &Report, language: Language, page: Option<&str>, width: usize) -> String {
     let width = width.max(ROW + 2);
     let mut out = String::new();
@@ -76,7 +77,7 @@ pub fn text(report: &Report, language: Language, page: Option<&str>, width: usiz
     out
 }
 
-/// Why no setting was tried: for each axis that was asked for.
+/// The text that says why no setting was tried, for each axis that was asked for.
 fn nothing(report: &Report, language: Language) -> String {
     let unasked = Complaint::new("accuracy-skip-unasked");
     let asked = report.skipped.iter().filter(|s| s.why != unasked);
@@ -112,9 +113,10 @@ fn heading(kind: Kind, rows: &[&Row], language: Language) -> String {
     )
 }
 
-/// The default, the ends, the front; of the numbers all.
+/// The rows that are shown: the default, the first and the last, those on the front or in the advice, and all of
+/// numbers.
 fn kept<'r>(rows: &[&'r Row], report: &Report) -> Vec<&'r Row> {
-    // Of the ways to write the default one is enough.
+    // Only the first of several rows with the default settings is needed.
     let default = rows.iter().position(|r| r.default);
     let needed = |i: usize| {
         let row = rows[i];
@@ -138,7 +140,7 @@ fn kept<'r>(rows: &[&'r Row], report: &Report) -> Vec<&'r Row> {
 }
 
 fn row_line(row: &Row, report: &Report, language: Language, width: usize) -> String {
-    // What makes the same picture as another setting, or was not measured, is not compared.
+    // Rows that were not measured, or have the same computation as another row, are not compared.
     let is_compared = row.error.is_some() && row.same_as.is_none();
     let mark = match (row.default, row.pareto) {
         (true, _) => '◆',
@@ -148,7 +150,7 @@ fn row_line(row: &Row, report: &Report, language: Language, width: usize) -> Str
     };
     let [w, h] = report.size;
     let pixels = f64::from(w) * f64::from(h);
-    // Of the whole picture, by the pixels that were timed.
+    // The time of the whole picture is computed from that of the pixels that were timed.
     let cpu = row.times_default.zip(whole_default(report, pixels));
     let cpu = cpu.map_or("–".into(), |(t, d)| {
         number_format::seconds(language, t * d)
@@ -170,7 +172,7 @@ fn row_line(row: &Row, report: &Report, language: Language, width: usize) -> Str
     let bar = row
         .times_default
         .map_or(0, |t| ((t.max(0.1).log2() + 4.0) * 1.6) as usize);
-    // Bars cut short would lie: there are all of them, or none.
+    // Bars cut short would mislead: either all are drawn, or none.
     let room = if width >= ROW + BAR { BAR } else { 0 };
     format!(
         "  {mark} {}{}{}{}{}{}  {}",
@@ -184,7 +186,7 @@ fn row_line(row: &Row, report: &Report, language: Language, width: usize) -> Str
     )
 }
 
-/// A share of pixels: none, or with two digits.
+/// A share of pixels in percent: `0`, or with about two digits.
 fn percent(part: usize, all: usize, language: Language) -> String {
     let share = 100.0 * part as f64 / all as f64;
     local(
@@ -198,7 +200,7 @@ fn percent(part: usize, all: usize, language: Language) -> String {
     )
 }
 
-/// CPU seconds of the default for the whole picture.
+/// The CPU seconds that the default takes for the whole picture, of `pixels` pixels.
 pub fn whole_default(report: &Report, pixels: f64) -> Option<f64> {
     let row = report
         .rows
@@ -212,7 +214,7 @@ fn summaries(out: &mut String, report: &Report, language: Language, width: usize
     let mut list = |message: &'static str, items: Vec<String>| {
         if !items.is_empty() {
             let name = padded(&say(language, message, &[]), 30) + "  ";
-            // Sentences begin in a line of their own.
+            // Sentences begin on a line of their own.
             let first = match items.iter().all(|item| item.width() < SENTENCE) {
                 true => &name,
                 false => {
@@ -263,7 +265,7 @@ fn summaries(out: &mut String, report: &Report, language: Language, width: usize
     line(out, &listed("", &sureness(report, language), width, "  "));
 }
 
-/// How sure all of this is.
+/// The parts of the line that says how certain the report is: noise, share of pixels, references, load.
 pub fn sureness(report: &Report, language: Language) -> Vec<String> {
     let noise = number_format::percent(language, report.noise.relative);
     let times = match report.too_busy() {

@@ -1,4 +1,4 @@
-//! How far each configuration is from its reference.
+//! Measures how far each configuration is from its reference.
 
 use super::{Distances, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, OBJECTS, PICTURES, Run, TIMES, rays};
 use crate::diagnostics::Error;
@@ -45,7 +45,8 @@ impl Run<'_> {
                 self.drop_rung(i);
                 continue;
             }
-            // A ladder ends one configuration after its bytes stop changing.
+            // On the axes of depth and cutoff, everything is dropped after the first configuration beyond the default
+            // that draws the same picture as an earlier one.
             if let Some((axis, same)) = last
                 && axis == configuration.axis
                 && matches!(axis, Axis::Depth | Axis::Cutoff)
@@ -110,7 +111,7 @@ impl Run<'_> {
             .count()
     }
 
-    /// Whether a configuration lies between the default and the reference.
+    /// Whether configuration `i` is deeper or has a lower cutoff than the default, as the reference of light does.
     pub(super) fn is_beyond_default(&self, i: usize) -> bool {
         let (settings, default) = (self.configurations[i].settings, Settings::default());
         settings.depth > default.depth || settings.cutoff < default.cutoff
@@ -144,8 +145,8 @@ impl Run<'_> {
             && before.colours[..common] == drawn.colours[..common]
     }
 
-    /// For each configuration of numbers the pixels that see another object, and distances in units of the last place,
-    /// the median and the largest.
+    /// For each configuration of numbers: its number, and how the objects that it sees first differ from those of
+    /// double-double.
     pub(super) fn numbers_seen(&mut self, stopped: bool) -> Result<Vec<(usize, Distances)>, Error> {
         let mut found = Vec::new();
         if stopped || self.exact.is_empty() {
@@ -179,8 +180,8 @@ impl Run<'_> {
     }
 }
 
-/// Pixels that see something else, and the median and the largest distance of what is seen, in units of
-/// the last of so many bits.
+/// Compares the objects seen first with the right ones. Returns the number of pixels that see another object; and for
+/// the other pixels the median and the largest error of the distance, in units of the last of `bits` binary digits.
 fn distances(
     seen: &[Option<VisibleObject>],
     right: &[Option<VisibleObject>],

@@ -27,33 +27,33 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// The request to a study.
+/// The options of a study.
 #[derive(Debug, Clone)]
 pub struct Options {
     pub size: [u32; 2],
     /// The axes to run.
     pub axes: Vec<Axis>,
-    /// Timed runs of each configuration; 5 if not said.
+    /// The number of timed runs of each configuration; `None` for 5.
     pub runs: Option<usize>,
-    /// Seconds that all may take.
+    /// Seconds that the whole study may take.
     pub budget: f64,
     /// The error that is wanted, in steps.
     pub goal: f64,
-    /// Once this is set, what is finished is reported.
+    /// The flag that stops the study: once it is set, the results that are finished are reported.
     pub stop: Arc<AtomicBool>,
 }
 
-/// The share by which the goal may be missed: 1.01 must not cost twice as much as 1.00.
+/// The share by which a configuration may miss the goal: 1.00 steps instead of 1.01 are not worth twice the time.
 pub const GOAL_SLACK: f64 = 0.15;
 
-/// Seconds that are spent unless another time is given.
+/// The budget in seconds unless another one is given.
 pub const DEFAULT_SECONDS: f64 = 120.0;
 
-/// The shortest run that is worth ranking.
+/// CPU seconds of the shortest run that is worth ranking.
 const LEAST_SECONDS: f64 = 0.05;
 const LEAST_PIXELS: f64 = 2000.0;
 
-/// Pixels that dear configurations make do with where time is short: eight tiles.
+/// The number of pixels that expensive configurations are measured on when time is short: eight tiles.
 const FEWEST_PIXELS: f64 = 512.0;
 
 /// Shares of the budget for the steps: the references (numbers and their check have as much each), errors, times, what
@@ -66,11 +66,11 @@ const TIMES: f64 = 0.4;
 const OBJECTS: f64 = 0.05;
 const PICTURES: f64 = 0.08;
 
-/// Share of the budget below which a step is done even where the time is up.
+/// The share of the budget below which a piece of work is done even if the time is up.
 const CHEAP_SHARE: f64 = 0.005;
 
-/// The function that is told how far the study is: what is done now, the name of a message, and the share of all that
-/// is behind.
+/// The function that is told how far the study is: the name of a message about the present step, and the share of the
+/// study that is done.
 pub type Progress<'p> = &'p dyn Fn(&'static str, f64);
 
 /// The state of a configuration's computation.
@@ -81,7 +81,7 @@ struct ConfigurationState {
     /// Seconds a ray, by the pilot.
     per_ray: f64,
     drawn: Option<Drawn>,
-    /// How many tiles that are.
+    /// The number of tiles in `drawn`.
     tiles: usize,
     measured: Option<Measured>,
     same_as: Option<usize>,
@@ -94,7 +94,8 @@ struct ConfigurationState {
 /// A step from a scene to a report.
 type StudyStep<R> = fn(&mut R) -> Result<(), Error>;
 
-/// Pixels that see something else, and the median and the largest distance in units of the last place.
+/// The number of pixels that see another object first; the median and the largest error of the distance in the others,
+/// in units of the last place.
 type Distances = (usize, f64, f64);
 
 /// The state of a run.
@@ -114,22 +115,22 @@ struct Run<'i> {
     start: Instant,
     progress: Progress<'i>,
     pace: Pace,
-    /// Linear RGB of references, in the order of the tiles' pixels.
+    /// The linear RGB of the references of edges, light and numbers, in the order of the tiles' pixels.
     edges: Vec<Rgb>,
     light: Vec<Rgb>,
     exact: Vec<Rgb>,
-    /// The time that a pixel of the default takes, as a multiple of what the pilot says.
+    /// The time that a pixel of the default takes, as a multiple of what the pilot predicts.
     calibration: f64,
     predicted: f64,
     timed: f64,
     repeats: Vec<Vec<Timed>>,
     /// The tiles that the default was timed on.
     frame: Sample,
-    /// CPU seconds of the first tiles with the default.
+    /// CPU seconds that the default takes for each of the first tiles.
     weights: Vec<f64>,
 }
 
-/// Studies a scene.
+/// Studies a scene within a budget. `name` is the scene's name in the report.
 ///
 /// # Errors
 ///
@@ -191,23 +192,24 @@ impl Run<'_> {
         share * self.options.budget
     }
 
-    /// Seconds for a step: its share of the budget, less where the steps before it took more than theirs. `behind` is the
-    /// share of the steps behind it.
+    /// The seconds that a step may take: its share of the budget, or less if earlier steps took more than theirs, but
+    /// at least a quarter. `behind` is the share of all later steps.
     fn allotted(&self, share: f64, behind: f64) -> f64 {
         let least = self.seconds(share) / 4.0;
         self.left(behind).clamp(least, self.seconds(share))
     }
 
-    /// The CPU seconds that one thread gets in so many seconds, and all threads together.
+    /// The CPU seconds that one thread gets in a number of seconds.
     fn on_one(&self, seconds: f64) -> f64 {
         seconds * self.pace.of_one()
     }
 
+    /// The CPU seconds that all threads together get in a number of seconds.
     fn on_all(&self, seconds: f64) -> f64 {
         seconds * self.pace.of_all()
     }
 
-    /// Whether so many CPU seconds are little even where the time is up.
+    /// Whether a piece of work of `seconds` CPU seconds is done even if the time is up.
     fn is_cheap(&self, seconds: f64) -> bool {
         seconds < self.on_one(self.seconds(CHEAP_SHARE))
     }
@@ -219,7 +221,7 @@ impl Run<'_> {
         Ok(timed)
     }
 
-    /// Does something on all threads with the first tiles.
+    /// Does some work with the first tiles on all threads, and counts its time in the pace.
     fn together<T>(
         &mut self,
         tiles: usize,
@@ -237,7 +239,7 @@ impl Run<'_> {
         self.together(tiles, |runner, tiles| runner.draw(settings, tiles))
     }
 
-    /// The seconds that are left once the steps behind have their share.
+    /// The seconds of the budget that are left, without the share `behind` that is kept for later steps.
     fn left(&self, behind: f64) -> f64 {
         self.options.budget - self.start.elapsed().as_secs_f64() - self.seconds(behind)
     }

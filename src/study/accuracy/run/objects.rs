@@ -1,4 +1,4 @@
-//! The cost of each object, and the places where it is wrong.
+//! The time and the error of each object, and maps of both over the picture.
 
 use super::{FEWEST_PIXELS, OBJECTS, PICTURES, Run};
 use crate::diagnostics::Error;
@@ -9,13 +9,13 @@ use crate::study::accuracy::sample_tiles::Tile;
 use std::collections::BTreeMap;
 
 impl Run<'_> {
-    /// Time and error by what is seen first, and over the picture.
+    /// Measures time and error for each object that is seen first, and as maps over the picture.
     pub(super) fn objects(&mut self) -> Result<(Vec<Object>, Option<Maps>), Error> {
         let settings = Settings {
             samples: 4,
             ..Settings::default()
         };
-        // Three runs.
+        // Each pixel is drawn in three runs of four samples.
         let cost = 12.0 * self.cost(&Settings::default());
         let seconds = self.on_one(self.allotted(OBJECTS, PICTURES));
         let tiles = self.tiles_for(seconds, cost, FEWEST_PIXELS);
@@ -88,7 +88,7 @@ impl Run<'_> {
         Maps {
             width,
             height,
-            // Of 0 pixels there is no number.
+            // A block without pixels gets NaN, as 0 / 0.
             time: sums.iter().map(|s| s[0] / s[1] / 4.0 * 1e6).collect(),
             error: sums.iter().map(|s| (s[2] / s[3]).sqrt()).collect(),
         }

@@ -1,15 +1,15 @@
-//! How much work is done in a second: on a busy machine less than the number of threads says.
+//! The CPU time that is done in a second: on a busy machine less than the number of threads.
 
 /// CPU time and wall time of what has been done so far.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
-    /// The pace on one thread.
+    /// CPU and wall seconds of the work on one thread.
     one: [f64; 2],
-    /// The pace on all threads together.
+    /// CPU and wall seconds of the work on all threads together.
     all: [f64; 2],
 }
 
-/// Seconds for which the machine is taken to be idle, before anything is measured.
+/// Seconds of work on an idle machine that a pace starts with, before anything is measured.
 const PRIOR: f64 = 0.05;
 
 impl Pace {

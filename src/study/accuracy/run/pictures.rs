@@ -1,4 +1,4 @@
-//! The pictures side by side.
+//! The pictures of a report: a small copy of the whole, and parts that are drawn with two settings side by side.
 
 use super::{PICTURES, Run};
 use crate::diagnostics::Error;
@@ -10,11 +10,11 @@ use crate::study::accuracy::sample_tiles::{TILE, Tile};
 use crate::trace::Numbers;
 
 impl Run<'_> {
-    /// Adds the picture to the report, and for each kind of error the part that is worst. Each is drawn twice: by the
-    /// default, and by the most accurate configuration that there is time for.
+    /// Adds to the report a small copy of the picture, and for each kind of error the part where it is worst. The part
+    /// is drawn twice: with the default, and with the most accurate configuration that there is time for.
     pub(super) fn pictures(&mut self, report: &mut Report) -> Result<(), Error> {
         let [width, height] = self.options.size;
-        // At most so many pixels, so that a page of all stays small; fewer where they take long.
+        // The picture stays small, so that a page with all pictures does, and smaller if its pixels take long.
         let seconds = self.on_all(self.allotted(PICTURES, 0.0) / 2.0);
         let pixels = seconds / self.cost(&Settings::default()).max(1e-12);
         let side = (pixels * f64::from(width.max(height)) / f64::from(width.min(height))).sqrt();
@@ -33,7 +33,7 @@ impl Run<'_> {
                 .min_by(|a, b| a.1.total_cmp(&b.1));
             let (shown, better, place) = match (kind, best) {
                 (Kind::Numbers, _) => {
-                    // The plain kernel in single precision beside what is right.
+                    // For numbers, single precision is shown beside doubles.
                     let plain = self.find(Kernel::Ours(Numbers::F32));
                     let exact = self.find(Kernel::Ours(Numbers::F64));
                     match (plain, exact) {
@@ -112,7 +112,7 @@ impl Run<'_> {
         Some(worst.1)
     }
 
-    /// Every so many pixels of every so many rows, by the default.
+    /// Draws every `step`-th pixel of every `step`-th row with the default settings.
     pub(super) fn coarse(&mut self, step: u32) -> Result<Raster, Error> {
         let [w, h] = self.options.size;
         let (width, height) = (w.div_ceil(step), h.div_ceil(step));
@@ -134,11 +134,12 @@ impl Run<'_> {
     }
 }
 
-/// The sides of the part of the picture that is shown, and how many pixels it has.
+/// Width and height in pixels of the part of the picture that is shown.
 const CROP_SIZE: [u32; 2] = [96, 72];
+/// The number of pixels of the part that is shown.
 const CROP: f64 = (CROP_SIZE[0] * CROP_SIZE[1]) as f64;
 
-/// A part of the picture around a tile: its place and size, and tiles that make it up.
+/// The part of the picture around a tile: column, row, width and height, and the tiles that make it up.
 fn around(tile: Tile, [width, height]: [u32; 2]) -> ([u32; 4], Vec<Tile>) {
     let (w, h) = (CROP_SIZE[0].min(width), CROP_SIZE[1].min(height));
     let start =

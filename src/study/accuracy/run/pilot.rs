@@ -1,4 +1,4 @@
-//! The configurations, and the cost of each by a few of its tiles.
+//! Plans the configurations, and learns the cost of each from a few tiles.
 
 use super::{ConfigurationState, LEAST_PIXELS, Run, TimedItem, rays};
 use crate::diagnostics::{Complaint, Error};
@@ -7,14 +7,14 @@ use crate::study::accuracy::facets::Facets;
 use crate::study::accuracy::report::Skipped;
 use crate::study::accuracy::{axes, facets};
 
-/// The share of the budget that the default is tried for.
+/// The share of the budget in which the default is timed once more, to calibrate the pilot's costs.
 const CALIBRATION: f64 = 0.01;
 
 /// The share of the budget in which meshes are made.
 const MESHES: f64 = 0.05;
 
 impl Run<'_> {
-    /// The configurations of the axes that the scene calls for.
+    /// Collects the configurations of the axes that the scene calls for.
     pub(super) fn plan(&mut self) -> Result<(), Error> {
         let seconds = self.seconds(MESHES);
         for axis in Axis::ALL {
@@ -79,7 +79,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Each configuration once on a few tiles.
+    /// Draws each configuration once on a few tiles, to learn its cost.
     pub(super) fn pilot(&mut self) -> Result<(), Error> {
         let few = (self.tiles.len() / 16).clamp(4.min(self.tiles.len()), 40);
         let mut costs: Vec<(Settings, [f64; 2])> = Vec::new();
@@ -91,7 +91,7 @@ impl Run<'_> {
                 Some(configuration) => configuration.settings,
                 None => self.effects[i - self.configurations.len()].1,
             };
-            // Many samples cost as many times one.
+            // The cost of many samples is computed from the cost of four.
             let (asked, times) = match settings.samples {
                 n if n > 4 => (
                     Settings {
@@ -141,7 +141,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Seconds a pixel of some settings that the pilot tried, or of the default.
+    /// The seconds a pixel of settings that the pilot tried; of the default for other settings.
     pub(super) fn cost(&self, settings: &Settings) -> f64 {
         let of = |s: &Settings| {
             let found = self.configurations.iter().position(|r| r.settings == *s);
@@ -152,8 +152,8 @@ impl Run<'_> {
             .unwrap_or(1e-5)
     }
 
-    /// Seconds a pixel of what is to be timed: by the rays of the pixels that were drawn, of which there are
-    /// more than in the pilot.
+    /// The seconds a pixel of an item that is to be timed. They follow from the rays of the pixels that were drawn for
+    /// errors, which are more than the pilot's.
     pub(super) fn entry_cost(&self, entry: &TimedItem) -> f64 {
         let known = match entry {
             TimedItem::Configuration(i) => Some(&self.known[*i]),
@@ -175,7 +175,8 @@ impl Run<'_> {
         cost * self.calibration
     }
 
-    /// The pilot's tiles are few. So the default is tried on more of them, and all else is taken to be off by as much.
+    /// Times the default on more than the pilot's few tiles. The costs of all settings are corrected by the same
+    /// factor.
     pub(super) fn calibrate(&mut self) -> Result<(), Error> {
         let cost = self.entry_cost(&TimedItem::Default(0));
         let tiles = self.tiles_for(self.on_one(self.seconds(CALIBRATION)), cost, LEAST_PIXELS);

@@ -1,4 +1,5 @@
-//! References of the errors: each kind of error has one beyond every configuration on its axes.
+//! The references of the errors. Each kind of error has a reference that is more accurate than every configuration on
+//! its axes.
 
 use super::{
     EDGES, ERRORS, FEWEST_PIXELS, LEAST_PIXELS, LIGHT, NUMBERS, OBJECTS, PICTURES, Run, TIMES,
@@ -15,11 +16,11 @@ use crate::trace::Numbers;
 use std::ops::Range;
 use std::time::Instant;
 
-/// Share of the steps behind the references, at the least.
+/// The share of the budget that is kept for the steps after the references, at the least.
 const SHARE_AFTER_REFERENCES: f64 = ERRORS / 2.0 + TIMES / 2.0 + OBJECTS + PICTURES;
 
 impl Run<'_> {
-    /// Double-double, and its check by the independent tracer.
+    /// Draws the reference of numbers, in double-double, and has the independent tracer check it.
     pub(super) fn reference_numbers(&mut self) -> Result<(), Error> {
         if !self
             .configurations
@@ -77,7 +78,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Deeper and with a lower cutoff than any configuration.
+    /// Draws the reference of light, deeper and with a lower cutoff than any configuration.
     pub(super) fn reference_light(&mut self) -> Result<(), Error> {
         if !self
             .configurations
@@ -92,7 +93,7 @@ impl Run<'_> {
             cutoff,
             ..Settings::default()
         };
-        // The deepest that the time allows: the next one must not take longer than the share of it.
+        // Deeper settings are tried while three times the cost of the last ones still fits into the time.
         let mut best = at(64, 1e-6);
         let pilot = |run: &mut Self, s: &Settings| -> Result<Timed, Error> {
             let tiles = run.tiles[..few].to_vec();
@@ -114,7 +115,7 @@ impl Run<'_> {
         }
         let tiles = self.tiles_for(seconds, cost, LEAST_PIXELS);
         let drawn = self.draw(&best, tiles)?;
-        // What one less deep, with ten times the cutoff, comes to.
+        // The margin is the difference from half the depth with ten times the cutoff.
         let less = at(best.depth / 2, best.cutoff * 10.0);
         let sample = tiles.min(self.tiles.len().div_ceil(4)).max(1);
         let other = self.draw(&less, sample)?;
@@ -136,8 +137,8 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Many samples, never adaptive: twice as many until half of them come near enough to all, or the time
-    /// is up.
+    /// Draws the reference of edges with many samples, never adaptive. Their number is doubled until half of them come
+    /// near enough to all, or the time is up.
     pub(super) fn reference_edges(&mut self) -> Result<(), Error> {
         if !self
             .configurations
@@ -151,7 +152,7 @@ impl Run<'_> {
         let seconds = self.allotted(EDGES, SHARE_AFTER_REFERENCES);
         let allowed = self.on_all(seconds) / each;
         let start = Instant::now();
-        // At least so many pixels, rather than more samples.
+        // Enough pixels are more important than many samples.
         let mut samples = 4096u32;
         let pixels = |tiles: usize| tiles as f64 * f64::from(TILE * TILE);
         while samples > 64 && f64::from(samples) * LEAST_PIXELS > allowed {
@@ -162,7 +163,7 @@ impl Run<'_> {
         } else {
             4096
         });
-        // Where not even 128 samples of so many pixels fit, fewer pixels.
+        // If the time is not enough for 128 samples of that many pixels, fewer pixels are drawn.
         let least = LEAST_PIXELS.min((allowed / 128.0).max(FEWEST_PIXELS));
         let tiles = self.tiles_for(allowed, f64::from(samples), least);
         let sizes = self.sizes(tiles);
@@ -186,7 +187,7 @@ impl Run<'_> {
             margin = compare(&half, &self.edges, &sizes, true).steps;
             let behind = 0.3 + 0.15 * f64::from(done) / f64::from(samples);
             (self.progress)("accuracy-step-edges", behind.min(0.45));
-            // The next one takes as long as all before.
+            // The next doubling takes as long as all samples before it.
             let is_good = margin < self.options.goal / 4.0 && done >= 512;
             let is_late = 2.0 * start.elapsed().as_secs_f64() > 1.5 * seconds;
             if is_good || done >= samples || is_late || self.is_stopped() {

@@ -1,4 +1,4 @@
-//! The report of what was found.
+//! Makes the report of a run.
 
 use super::sample::{Sample, least};
 use super::{GOAL_SLACK, Run, load, rays};
@@ -171,14 +171,14 @@ impl Run<'_> {
                 let cpu = cpu_of(&known.times);
                 let times = self.times_default(&known.times, &known.sample, repeats);
                 let saved = times.map(|t| 1.0 - t);
-                // A ray count of the same pixels.
+                // The default's rays are scaled to the number of pixels drawn here.
                 let own = rays(&known.drawn.as_ref()?.counts.rays) as f64;
                 let (all, pixels) = default_rays?;
                 let scale = self.pixels(known.tiles) as f64 / pixels.max(1) as f64;
                 Some(Effect {
                     name,
                     cpu_seconds: cpu,
-                    // Less work takes no longer.
+                    // Less work cannot take longer, so that a negative saving is noise.
                     within_noise: saved.is_some_and(|s| s <= noise),
                     saved,
                     rays_saved: (all as f64 * scale - own).round() as i64,
@@ -198,7 +198,7 @@ impl Run<'_> {
     }
 }
 
-/// The CPU time of some runs; the least is that of each tile, added up.
+/// The spread of the CPU time of some runs. Its minimum adds up the least time of each tile.
 fn cpu_of(times: &[Timed]) -> Option<Spread> {
     let spread = Spread::of(&times.iter().map(|t| t.cpu).collect::<Vec<_>>())?;
     Some(Spread {

@@ -1,4 +1,4 @@
-//! The tiles that a setting is timed on, and an estimate of the whole from the times of a few.
+//! The tiles that a setting is timed on, and the estimate of the whole time from a few tiles.
 
 use crate::study::accuracy::runner::Timed;
 use crate::study::accuracy::sample_tiles::Tile;
@@ -6,7 +6,7 @@ use crate::study::accuracy::sample_tiles::Tile;
 /// Tiles that stand for a picture.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Sample {
-    /// The number of each tile, rising, and what its time counts for.
+    /// The number of each tile, ascending, and the weight of its time.
     tiles: Vec<(usize, f64)>,
 }
 
@@ -18,9 +18,10 @@ impl Sample {
         }
     }
 
-    /// Few tiles of many, chosen so that what takes long is among them: where `times` are the default's, one of twice
-    /// the time is chosen twice as often and counts for half (Hansen and Hurwitz, "On the theory of sampling from finite
-    /// populations", 1943). Of each stretch of equal time one is chosen, the quickest tiles first.
+    /// Chooses about `count` tiles with a probability in proportion to `times`, the default's time for each: a tile of
+    /// twice the time is chosen twice as often and counts for half (Hansen and Hurwitz, "On the theory of sampling from
+    /// finite populations", 1943). The tiles, the quickest first, are divided into stretches of equal time, and one is
+    /// chosen in each.
     pub(super) fn by_time(times: &[f64], count: usize) -> Sample {
         let total: f64 = times.iter().sum();
         let stretch = total / count.max(1) as f64;
@@ -44,7 +45,7 @@ impl Sample {
         Sample { tiles }
     }
 
-    /// How much longer a tile takes that is chosen by its time than one that is not.
+    /// The mean time of a tile chosen by its time, as a multiple of the mean time of all tiles.
     pub(super) fn skew(times: &[f64]) -> f64 {
         let sum: f64 = times.iter().sum();
         let squares: f64 = times.iter().map(|t| t * t).sum();
@@ -52,7 +53,8 @@ impl Sample {
         if skew.is_finite() { skew } else { 1.0 }
     }
 
-    /// The default's time on its tiles as a multiple of what as many others take, as far as times are known.
+    /// The default's mean time on the sample's tiles, as a multiple of its mean time on all tiles whose `times` are
+    /// known. 1 if no time is known.
     pub(super) fn share_of(&self, times: &[f64]) -> f64 {
         let known: Vec<f64> = (self.tiles.iter())
             .filter_map(|(i, _)| times.get(*i).copied())
@@ -70,8 +72,8 @@ impl Sample {
         self.tiles.iter().map(|(i, _)| tiles[*i].count()).sum()
     }
 
-    /// The time of the tiles as a multiple of that of another sample's: of the least times of each tile. Only tiles
-    /// that are in both count.
+    /// The time of this sample as a multiple of another sample's, from the least time of each tile. Only tiles in both
+    /// samples count. `None` if there are none.
     pub(super) fn ratio(&self, times: &[Timed], other: &Sample, others: &[Timed]) -> Option<f64> {
         let (own, other_times) = (least(times)?, least(others)?);
         let (mut sum, mut sum_of_other) = (0.0, 0.0);
@@ -85,7 +87,7 @@ impl Sample {
     }
 }
 
-/// The least time of each tile: what disturbs a run disturbs few of its tiles.
+/// The least time of each tile in several runs: a disturbance of a run hits few of its tiles. `None` without runs.
 pub(super) fn least(times: &[Timed]) -> Option<Vec<f64>> {
     let mut least = times.first()?.tiles.clone();
     for run in &times[1..] {

@@ -1,4 +1,4 @@
-//! How long each configuration takes, in shuffled rounds.
+//! Times each configuration, in rounds of random order.
 
 use super::sample::Sample;
 use super::{FEWEST_PIXELS, LEAST_PIXELS, LEAST_SECONDS, OBJECTS, PICTURES, Run, TIMES, TimedItem};
@@ -9,17 +9,17 @@ use crate::study::accuracy::sample_tiles::{Tile, shuffle};
 use std::time::Instant;
 
 impl Run<'_> {
-    /// Runs in shuffled order on one thread.
+    /// Times all configurations and effects on one thread, in rounds of random order.
     pub(super) fn times(&mut self) -> Result<(), Error> {
         let default = Settings::default();
         self.calibrate()?;
-        // What the steps before have not used is theirs, too.
+        // Time that earlier steps have not used may be used here.
         let behind = OBJECTS + PICTURES;
         let own = self.seconds(TIMES);
         let seconds = self.left(behind).clamp(own / 4.0, 1.5 * own);
         let most = self.options.runs.unwrap_or(5);
         let mut runs = most;
-        // What is to be timed: configurations that are one computation once, the default four times.
+        // Configurations with the same computation are timed once, the default four times.
         let mut entries: Vec<TimedItem> = Vec::new();
         for i in 0..self.configurations.len() {
             let known = &self.known[i];
@@ -70,7 +70,7 @@ impl Run<'_> {
         let (mut done, mut longest) = (0, 0.0f64);
         let start_of_all = Instant::now();
         'all: for round in 0..most {
-            // Where runs were left out, and there is time after all, they are done.
+            // Rounds beyond the planned ones are done if time is left after all.
             if round >= runs && self.left(behind) < 1.1 * longest {
                 self.cut.push(Complaint::new("accuracy-cut-runs"));
                 break;
@@ -81,14 +81,14 @@ impl Run<'_> {
             let start = Instant::now();
             shuffle(&mut order, round as u64);
             if round == 0 {
-                // Without the default's, no time says anything.
+                // The default comes first: all other times are multiples of its time.
                 order.sort_by_key(|&e| !matches!(entries[e], TimedItem::Default(_)));
             }
             for &e in &order {
                 if self.is_stopped() {
                     break 'all;
                 }
-                // One round is worth more than the steps behind it.
+                // The first round may use the time of later steps, too.
                 let is_late = match round {
                     0 => self.left(0.0) < 0.0,
                     _ => start_of_all.elapsed().as_secs_f64() > 1.1 * seconds,
@@ -109,7 +109,7 @@ impl Run<'_> {
                 };
                 let mut timed = self.time(&settings, &lists[e])?;
                 self.timed += timed.cpu;
-                // The pixels are known.
+                // The colours are known from the step that measures errors.
                 timed.drawn.colours = Vec::new();
                 match entries[e] {
                     TimedItem::Configuration(i) => {
@@ -131,14 +131,14 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Number of tiles that the default is timed on in a run of so many CPU seconds.
+    /// The number of tiles that the default is timed on in a run of `seconds` CPU seconds.
     fn default_tiles(&self, seconds: f64) -> usize {
         let cost = self.entry_cost(&TimedItem::Default(0));
         self.tiles_for(seconds, cost, least_pixels(cost, seconds))
     }
 
-    /// The sample that is timed of an item in a run of so many CPU seconds: all that the default is timed on, or a part
-    /// of it.
+    /// The sample that an item is timed on in a run of `seconds` CPU seconds: the `frame` tiles of the default, or a
+    /// part of them.
     fn sample_for(&self, entry: &TimedItem, seconds: f64, frame: usize) -> Sample {
         let cost = self.entry_cost(entry);
         let tiles = self.tiles_for(seconds, cost, least_pixels(cost, seconds));
@@ -154,7 +154,7 @@ impl Run<'_> {
         }
     }
 
-    /// CPU seconds of a run of a sample, by what the default took on its tiles.
+    /// The CPU seconds that a run of a sample is going to take, by the default's times on its tiles.
     fn predicted_cost(&self, entry: &TimedItem, sample: &Sample) -> f64 {
         let pixels = sample.pixels(&self.tiles) as f64;
         self.entry_cost(entry) * pixels * sample.share_of(&self.weights)
@@ -167,17 +167,17 @@ impl Run<'_> {
         sample: &Sample,
         repeats: &[Vec<Timed>],
     ) -> Option<f64> {
-        // As many runs as any other has: the first entry's.
+        // The first list of the default's runs alone is used: it has as many runs as those of other items.
         sample.ratio(times, &self.frame, repeats.first()?)
     }
 }
 
-/// Fewest pixels of a run, if the time is enough for it.
+/// The fewest pixels of a run, at `cost` seconds a pixel. `seconds` limits their number.
 fn least_pixels(cost: f64, seconds: f64) -> f64 {
     let least = LEAST_PIXELS.max(LEAST_SECONDS / cost.max(1e-12));
     let affordable = (1.25 * seconds / cost.max(1e-12)).max(FEWEST_PIXELS);
     least.min(LEAST_PIXELS * 4.0).min(affordable)
 }
 
-/// How many tiles stand for the picture at the least.
+/// The smallest number of tiles that stand for the picture.
 const FEWEST_TILES: usize = 12;
