@@ -494,10 +494,7 @@ fn fmt_changes_some_lines() {
     }
     let run = zpg(dir.path(), &["fmt", "--range", "1-2", "a.zpg", "b.zpg"]);
     assert_eq!(run.status.code(), Some(2));
-    assert_eq!(
-        text(&run.stderr),
-        "error: --range works on one file only\n"
-    );
+    assert_eq!(text(&run.stderr), "error: --range works on one file only\n");
 }
 
 #[cfg(unix)]

@@ -393,11 +393,7 @@ fn settings_that_are_wrong() {
         "--config o.toml cannot be used with --isolated",
     );
     let two = ["check", "--config", "o.toml", "--config", "zpg.toml"];
-    refused(
-        dir.path(),
-        &two,
-        "two settings files, o.toml and zpg.toml",
-    );
+    refused(dir.path(), &two, "two settings files, o.toml and zpg.toml");
     let czech = ["check", "--lang", "cs", "--config", "format.width=5"];
     let said = text(&zpg(dir.path(), &czech).stderr);
     assert!(said.contains("očekává se celé číslo"), "{said}");

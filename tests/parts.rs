@@ -387,8 +387,14 @@ fn tiles_that_cannot_be() {
         ("--tile -1/4 -o a.png", "counted from 1"),
         ("--tile 1/31 --size 40x30 -o a.png", "more tiles (31) than"),
         ("--tile 1/4", "--output"),
-        ("--tile 1/4 -o a.pfm", "choose a name that ends in .png or .exr"),
-        ("--tile 1/4 -o a.jpg", "choose a name that ends in .png or .exr"),
+        (
+            "--tile 1/4 -o a.pfm",
+            "choose a name that ends in .png or .exr",
+        ),
+        (
+            "--tile 1/4 -o a.jpg",
+            "choose a name that ends in .png or .exr",
+        ),
         ("--tile 1/4 -o a.png --heatmap h.png", "--heatmap"),
         ("--tile 1/4 -o a.png --watch", "--watch"),
         ("--tile 1/4 -o a.png .", "`--tile` is for one scene"),

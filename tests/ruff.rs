@@ -157,7 +157,10 @@ fn other_words_of_ruff_have_an_answer() {
         ),
         (&["render", "a.zpg", "+WT2"], "`--threads 2`"),
         (&["render", "a.zpg", "+R3"], "zpg calls it `--samples`"),
-        (&["render", "a.zpg", "Declare=x=1"], "zpg has no such option"),
+        (
+            &["render", "a.zpg", "Declare=x=1"],
+            "zpg has no such option",
+        ),
         (&["render", "a.zpg", "+P"], "zpg has no such option"),
         (&["render", "a.zpg", "+GA"], "zpg has no such option"),
         (&["render", "a.zpg", "+UA"], "zpg has no such option"),

@@ -207,7 +207,10 @@ fn a_checkerboard_with_one_number_of_fields() {
         let finding = the(Code::E008, &text);
         assert_eq!(guesses(&text, &finding), meant);
         let said = [Language::English, Language::Czech].map(|l| finding.wording(l).fixes.concat());
-        assert!(said[0].contains("both directions have the same value"), "{said:?}");
+        assert!(
+            said[0].contains("both directions have the same value"),
+            "{said:?}"
+        );
         assert!(said[1].contains("totéž číslo v obou směrech"), "{said:?}");
         assert_eq!(mended(&text, true), (text, 0));
     }

@@ -253,11 +253,7 @@ fn depth_is_refused() {
     for said in &said {
         assert!(said.len() < 200, "{said}");
     }
-    assert!(
-        said[4].contains("nested too deep"),
-        "{}",
-        said[4]
-    );
+    assert!(said[4].contains("nested too deep"), "{}", said[4]);
     assert!(said[1].contains("it ends too early"), "{}", said[1]);
 }
 
