@@ -126,8 +126,8 @@ fn advice_names_the_cheapest_way_to_the_goal_with_slack() {
                  times as long. With the default settings each other kind of error is below 0.060 steps.";
     assert_eq!(text("limit"), limit);
     assert_eq!(report.advice, limit);
-    let change = "In 16 of the 1000 pixels that were looked at the light that is cut shows by more than a step. \
-                  `--depth 16` puts 16 of them right for 4 % more time.";
+    let change = "In 16 of the 1000 pixels that were looked at, the cut light makes a difference of more than a \
+                  step. `--depth 16` puts 16 of them right for 4 % more time.";
     assert_eq!(text("change"), change);
     let numbers = "Doubles are enough here: double-double, which has twice as many digits, takes 10 times as long \
                    and gives the same picture. Single precision gets 21 pixels wrong and takes as long.";
@@ -160,7 +160,7 @@ fn advice_where_nothing_is_to_be_done_and_where_nothing_helps() {
     let stopped = report_of(&[]);
     assert_eq!(
         stopped.advice,
-        "Nothing was finished that advice could rest on."
+        "No advice can be given: no measurement was finished."
     );
     let hopeless = report_of(&[
         (Axis::Samples, "1", 1.0, 30.0, 900),

@@ -377,7 +377,7 @@ fn wrong_usage_in_both_languages() {
         ),
         (
             &["render", "a.zpg", "--adaptive", "0.1", "--samples", "2"],
-            "`--adaptive <TOL>` does not go together with `--samples <N>`",
+            "`--adaptive <TOL>` cannot be used with `--samples <N>`",
             "`--adaptive <MEZ>` nelze uvést spolu s `--samples <N>`",
         ),
         (

@@ -228,7 +228,7 @@ fn usage_after_a_conflict_is_that_of_the_command() {
     let run = zpg(dir.path(), &args);
     let said = text(&run.stderr);
     assert!(
-        said.contains("`--tile <I/N>` does not go together with `--watch`"),
+        said.contains("`--tile <I/N>` cannot be used with `--watch`"),
         "{said}"
     );
     assert!(
@@ -494,10 +494,7 @@ fn fmt_changes_some_lines() {
     }
     let run = zpg(dir.path(), &["fmt", "--range", "1-2", "a.zpg", "b.zpg"]);
     assert_eq!(run.status.code(), Some(2));
-    assert_eq!(
-        text(&run.stderr),
-        "error: --range takes the lines of one file\n"
-    );
+    assert_eq!(text(&run.stderr), "error: --range works on one file only\n");
 }
 
 #[cfg(unix)]

@@ -95,7 +95,7 @@ fn json_of_programs() {
         ),
         (
             r#"{"version": 1, "nodes": [{"type": "copy", "of": 3}]}"#,
-            "error[E015]: nodes[0]: it names node 3, which does not stand before it\n   ╭─[ a.json:1:26 ]",
+            "error[E015]: nodes[0]: it names node 3, which must stand before it\n   ╭─[ a.json:1:26 ]",
         ),
     ] {
         write(json);

@@ -474,7 +474,7 @@ fn options_that_do_not_go_together_are_refused() {
         &["--stats", "s.json"],
         &["--cost"],
     ] {
-        refuses(dir, &with(other), 2, &["does not go together", other[0]]);
+        refuses(dir, &with(other), 2, &["cannot be used with", other[0]]);
     }
     refuses(dir, &with(&["-o", "-"]), 2, &["several pictures"]);
     refuses(
@@ -491,7 +491,7 @@ fn options_that_do_not_go_together_are_refused() {
         dir,
         &with(&["-o", "b.png", "--fps", "30"]),
         2,
-        &["b.png is none"],
+        &["b.png is not one"],
     );
     refuses(dir, &["a.zpg", "--frames", "0-4"], 2, &["would be alike"]);
     refuses(

@@ -65,7 +65,7 @@ fn scenes_pass_all_checks_and_are_drawn() {
 fn nothing_is_written_over() {
     let dir = folder(&[("a.zpg", ""), ("b.json", "")]);
     for (file, says) in [
-        ("a.zpg", "a.zpg is there already"),
+        ("a.zpg", "a.zpg already exists"),
         ("b.json", "choose a name that ends in .zpg"),
         ("glass", "write glass.zpg"),
         ("x.txt", "write x.zpg"),

@@ -277,7 +277,7 @@ fn codes_that_files_may_have() {
 fn settings_with_a_point_before_their_name_are_told_of() {
     let dir = folder(&[(".zpg.toml", "[lint]\nW301 = \"off\"\n"), ("a.zpg", GOOD)]);
     let said = |args: &[&str]| text(&zpg(dir.path(), args).stderr);
-    let note = "note: .zpg.toml does not count: the name of settings is zpg.toml\n";
+    let note = "note: .zpg.toml is ignored: a settings file must be named zpg.toml\n";
     assert_eq!(said(&["check"]), note);
     assert_eq!(said(&["check", "--isolated"]), "");
     assert_eq!(said(&["check", "--quiet", "a.zpg"]), "");
@@ -293,7 +293,7 @@ fn settings_in_pyproject_are_told_of() {
         ("a.zpg", GOOD),
     ]);
     let said = || text(&zpg(dir.path(), &["check"]).stderr);
-    let note = "note: pyproject.toml does not count: the name of settings is zpg.toml\n";
+    let note = "note: pyproject.toml is ignored: a settings file must be named zpg.toml\n";
     assert_eq!(said(), note);
     fs::write(dir.path().join("pyproject.toml"), "[tool.zpgx]\n").unwrap();
     assert_eq!(said(), "");
@@ -384,20 +384,16 @@ fn settings_that_are_wrong() {
     refused(
         dir.path(),
         &with("exclude=\"a\""),
-        "`exclude`: expected a list of patterns",
+        "`exclude`: expected a list of file patterns",
     );
     let isolated = ["check", "--isolated", "--config", "o.toml", "a.zpg"];
     refused(
         dir.path(),
         &isolated,
-        "--config o.toml does not go together with --isolated",
+        "--config o.toml cannot be used with --isolated",
     );
     let two = ["check", "--config", "o.toml", "--config", "zpg.toml"];
-    refused(
-        dir.path(),
-        &two,
-        "two files of settings, o.toml and zpg.toml",
-    );
+    refused(dir.path(), &two, "two settings files, o.toml and zpg.toml");
     let czech = ["check", "--lang", "cs", "--config", "format.width=5"];
     let said = text(&zpg(dir.path(), &czech).stderr);
     assert!(said.contains("očekává se celé číslo"), "{said}");
@@ -540,7 +536,7 @@ fn cameras_that_are_not_there() {
     refused(
         dir.path(),
         &render("n.zpg"),
-        "no camera 12: it has none at all\n",
+        "no camera 12: it has no cameras at all\n",
     );
     let probe = ["probe", "s.zpg", "--pixel", "0,0", "--camera", "12"];
     refused(dir.path(), &probe, "no camera 12; its cameras: 8, 10\n");

@@ -244,7 +244,7 @@ fn parts_that_lack_or_do_not_belong_are_named() {
     );
     let said = says(dir, &with_other, 1);
     assert!(
-        said.contains("other.png") && said.contains("the scene, or a texture"),
+        said.contains("other.png") && said.contains("from another scene"),
         "{said}"
     );
     let version = format!("\"zpg\":\"{}\"", env!("CARGO_PKG_VERSION"));
@@ -387,8 +387,14 @@ fn tiles_that_cannot_be() {
         ("--tile -1/4 -o a.png", "counted from 1"),
         ("--tile 1/31 --size 40x30 -o a.png", "more tiles (31) than"),
         ("--tile 1/4", "--output"),
-        ("--tile 1/4 -o a.pfm", "let it end in .png or .exr"),
-        ("--tile 1/4 -o a.jpg", "let it end in .png or .exr"),
+        (
+            "--tile 1/4 -o a.pfm",
+            "choose a name that ends in .png or .exr",
+        ),
+        (
+            "--tile 1/4 -o a.jpg",
+            "choose a name that ends in .png or .exr",
+        ),
         ("--tile 1/4 -o a.png --heatmap h.png", "--heatmap"),
         ("--tile 1/4 -o a.png --watch", "--watch"),
         ("--tile 1/4 -o a.png .", "`--tile` is for one scene"),

@@ -248,7 +248,7 @@ fn what_is_no_regular_file_is_refused() {
         let run = place.command(args).arg(&pipe).output().unwrap();
         assert_eq!(run.status.code(), Some(2));
         assert!(
-            said(&run).contains("it is no regular file"),
+            said(&run).contains("it is not a regular file"),
             "{}",
             said(&run)
         );

@@ -56,7 +56,7 @@ fn patterns_leave_out_files() {
     let diff = said(dir.path(), &["fmt", "--check", "--exclude", "*.zpg"]);
     assert!(!diff.contains("b.zpg"), "{diff}");
     let wrong = said(dir.path(), &["check", "--exclude", "a["]);
-    assert!(wrong.contains("`a[` is no pattern of files"), "{wrong}");
+    assert!(wrong.contains("`a[` is not a file pattern"), "{wrong}");
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn other_words_of_ruff_have_an_answer() {
     for (arguments, answer) in [
         (
             &["check", "--fix-only"][..],
-            "`zpg check --fix` mends and then reports what is left",
+            "`zpg check --fix` fixes what it can and then reports what is left",
         ),
         (
             &["check", "--show-fixes"],
@@ -157,10 +157,13 @@ fn other_words_of_ruff_have_an_answer() {
         ),
         (&["render", "a.zpg", "+WT2"], "`--threads 2`"),
         (&["render", "a.zpg", "+R3"], "zpg calls it `--samples`"),
-        (&["render", "a.zpg", "Declare=x=1"], "zpg has none"),
-        (&["render", "a.zpg", "+P"], "zpg has none"),
-        (&["render", "a.zpg", "+GA"], "zpg has none"),
-        (&["render", "a.zpg", "+UA"], "zpg has none"),
+        (
+            &["render", "a.zpg", "Declare=x=1"],
+            "zpg has no such option",
+        ),
+        (&["render", "a.zpg", "+P"], "zpg has no such option"),
+        (&["render", "a.zpg", "+GA"], "zpg has no such option"),
+        (&["render", "a.zpg", "+UA"], "zpg has no such option"),
         (&["fmt", "-l", "88", "a.zpg"], "`--config format.width=88`"),
         (&["render", "a.zpg", "+Q9"], "`--quality draft`"),
         (&["render", "a.zpg", "+FN"], "the ending of `-o`"),

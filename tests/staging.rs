@@ -175,8 +175,7 @@ fn which_eye_is_measured_is_said() {
     ];
     for (arguments, other) in [(&probe[..], "8"), (&accuracy, "8")] {
         let said = |more: &[&str]| text(&zpg(dir.path(), &[arguments, more].concat()).stderr);
-        let note =
-            "note: of the two cameras, 7 is taken, the left one; `--camera` takes the other\n";
+        let note = "note: camera 7, the left one of the two, takes the picture; `--camera` chooses the other\n";
         assert!(said(&[]).contains(note), "{}", said(&[]));
         assert!(!said(&["-q"]).contains("note"));
         assert!(!said(&["--camera", other]).contains("note"));

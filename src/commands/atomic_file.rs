@@ -355,7 +355,7 @@ mod tests {
         let place = Path::new("/proc/version");
         let complaint = copy_over(new, place, Path::new("a.png")).unwrap_err();
         let said = complaint.to_string();
-        let (said, copy) = said.split_once("; what it was is kept in ").unwrap();
+        let (said, copy) = said.split_once("; its old content is kept in ").unwrap();
         assert!(said.starts_with("cannot write a.png: "), "{said}");
         assert_eq!(fs::read(copy).unwrap(), fs::read(place).unwrap());
         fs::remove_file(copy).unwrap();

@@ -44,7 +44,7 @@ limit-parts-rewritten = kde se překrývá více než { $most } částí z mnoha
 limit-looks-of-skin = kde část končí ve více než { $most } jiných, které vypadají různě, patří jim i stěny uvnitř
 limit-modifications = operandy změněné více než { $most }krát se zapisují beze změny
 limit-triangle-pieces = kde se délky normál velmi liší, bylo by potřeba více než { $most } dílů trojúhelníku
-limit-mirrors = z více než { $most } rovin se další za zrcadla nepovažují
+limit-mirrors = je-li rovin více než { $most }, za zrcadla se jich považuje jen { $most }
 fidelity-light-above-white = jasnější než bílá je { $percent } % obrázku; soubor s obrázkem je ořízne
 fidelity-light-scale = s volbou Declare=Light_Scale={ $scale } se nic neořízne, ale všechno má jen { $times }násobek jasu
 fidelity-no-light-above-white = v malém obrázku není nic jasnější než bílá

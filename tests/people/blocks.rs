@@ -53,7 +53,7 @@ fn the_render_record_has_the_id_of_what_it_draws() {
         let finding = the(Code::E105, &with(written));
         assert_eq!(finding.case, "swapped");
         let said = [Language::English, Language::Czech].map(|l| finding.wording(l).message);
-        assert!(said[0].contains("in each other's place"), "{said:?}");
+        assert!(said[0].contains("are swapped"), "{said:?}");
         assert!(said[1].contains("prohozené"), "{said:?}");
         assert_eq!(mended(&with(written), false), (with(meant), 1));
     }
@@ -207,7 +207,10 @@ fn a_checkerboard_with_one_number_of_fields() {
         let finding = the(Code::E008, &text);
         assert_eq!(guesses(&text, &finding), meant);
         let said = [Language::English, Language::Czech].map(|l| finding.wording(l).fixes.concat());
-        assert!(said[0].contains("the same number both ways"), "{said:?}");
+        assert!(
+            said[0].contains("both directions have the same value"),
+            "{said:?}"
+        );
         assert!(said[1].contains("totéž číslo v obou směrech"), "{said:?}");
         assert_eq!(mended(&text, true), (text, 0));
     }

@@ -116,7 +116,7 @@ fn properties_copied_with_their_id() {
         &scene(&tiles(20)),
         Code::E101,
         [
-            "20 is defined twice: the second is rather 21",
+            "20 is defined twice: the second definition is probably that of 21",
             "20 je definováno dvakrát: druhá definice patří spíš k 21",
         ],
     );
@@ -154,7 +154,7 @@ fn optics_copied_beside_their_index() {
         &scene(&written),
         Code::W334,
         [
-            "31 has a refractive index and no kd, ks and kt: the second is rather meant for it",
+            "31 has a refractive index but no kd, ks and kt: the second is probably meant for it",
             "31 má index lomu, ale ne kd, ks a kt: druhý záznam patří spíš k němu",
         ],
     );

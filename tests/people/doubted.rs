@@ -83,7 +83,7 @@ fn a_lost_point_explains_what_else_is_said() {
         let said = finding.wording(Language::English);
         assert!(said.help.is_none());
         let note = format!(
-            "a number of the record begins with a zero: with `{meant}` this is said no more"
+            "a number in this record begins with a zero; write `{meant}` and this message goes away"
         );
         assert!(said.notes.contains(&note), "{said:?}");
         let note = format!("číslo v záznamu začíná nulou: s `{meant}` toto hlášení zmizí");
@@ -111,7 +111,7 @@ fn a_cut_that_is_too_large() {
         assert_eq!(is_choice(&finding), !cuboid.is_empty());
     }
     let smaller = [
-        "if what is taken away is ten times smaller, write `0 2 0 0.6` for 21",
+        "if the subtracted object should be ten times smaller, write `0 2 0 0.6` for 21",
         "má-li být odečítaný objekt desetkrát menší, napsat `0 2 0 0.6` pro 21",
     ];
     for (cuboid, ball) in [

@@ -332,7 +332,7 @@ fn a_camera_in_a_floor_has_another_sign() {
         assert_eq!(
             first_said(&text, Code::W325),
             [
-                "turn the sign of y of the camera: write `0 2.5 8`",
+                "change the sign of y of the camera: write `0 2.5 8`",
                 "změnit znaménko y kamery: napsat `0 2.5 8`"
             ]
         );

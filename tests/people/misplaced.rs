@@ -53,7 +53,7 @@ fn assignments_with_ids_in_other_places() {
     assert_eq!((finding.code, finding.fixes.len()), (Code::E005, 0));
     let said = [Language::English, Language::Czech].map(|l| finding.wording(l).notes[0].clone());
     let meant = [
-        "ID is that of the object, T that of its texture or colour, and O that of its optical property; 0 is none",
+        "ID is that of the object, T that of its texture or colour, and O that of its optical property; 0 means none",
         "ID je ID objektu, T jeho textury nebo barvy a O jeho optické vlastnosti; 0 znamená žádnou",
     ];
     assert_eq!(said, meant);

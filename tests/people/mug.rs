@@ -269,7 +269,7 @@ fn words_of_other_programs() {
     }
     for line in ["render a.zpg --seed 3", "check a.zpg -Wall"] {
         let [said, _] = says(dir.path(), line);
-        assert!(said.contains("there is none"), "{line}: {said}");
+        assert!(said.contains("there is no such option"), "{line}: {said}");
     }
 }
 

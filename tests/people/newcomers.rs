@@ -836,7 +836,7 @@ fn the_angle_of_pov_ray_is_that_of_the_width() {
         let first = &all.iter().find(|d| !d.fixes.is_empty()).unwrap();
         let angle = meant.rsplit(' ').next().unwrap();
         for (language, width) in [
-            (Language::English, "that of the width"),
+            (Language::English, "spans the width"),
             (Language::Czech, "úhel na šířku"),
         ] {
             let said = &first.wording(language).fixes[0];

@@ -106,7 +106,7 @@ fn a_complement_with_a_minus() {
             (
                 Language::English,
                 format!(
-                    "a minus is no complement here; the intersection with the complement of {id} is a difference: write `{two}`"
+                    "a minus does not mean the complement here; the intersection with the complement of {id} is a difference: write `{two}`"
                 ),
             ),
             (
@@ -145,7 +145,7 @@ fn a_light_in_a_union() {
             (
                 Language::English,
                 "leave out the union 3, and write `2` in its place",
-                "a light shines by itself; it is no part of an object",
+                "a light shines by itself; it is not part of an object",
             ),
             (
                 Language::Czech,

@@ -72,7 +72,7 @@ fn surfaces_and_insides() {
     let (error, _) = guessed(&text, Code::E006);
     let said = [Language::English, Language::Czech].map(|l| error.wording(l).fixes[0].clone());
     let meant = [
-        "write each property and each transformation as a record of its own; what no record says becomes a comment",
+        "write each property and each transformation as a record of its own; what no record can say becomes a comment",
         "napsat každou vlastnost a každou transformaci jako samostatný záznam; z toho, co žádný záznam neříká, se stane \
          komentář",
     ];

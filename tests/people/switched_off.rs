@@ -221,7 +221,7 @@ fn two_lines_with_a_sign_each() {
         for (language, said) in [
             (
                 Language::English,
-                "line 3 is in no comment: the comment before it ends at its first `#`",
+                "line 3 is not in a comment: its first `#` ends the comment before it",
             ),
             (
                 Language::Czech,

@@ -58,13 +58,13 @@ fn mistakes_name_their_line() {
     for (line, reason) in [
         (
             "exclude = \"old\"",
-            "a list of patterns of files, such as [\"old\", \"*/draft.zpg\"], found `\"old\"`",
+            "a list of file patterns, such as [\"old\", \"*/draft.zpg\"], found `\"old\"`",
         ),
         (
             "exclude = [1]",
-            "a list of patterns of files, such as [\"old\", \"*/draft.zpg\"], found `1`",
+            "a list of file patterns, such as [\"old\", \"*/draft.zpg\"], found `1`",
         ),
-        ("exclude = [\"a[\"]", "`a[` is no pattern of files"),
+        ("exclude = [\"a[\"]", "`a[` is not a file pattern"),
         ("lint = 1", "`lint`: expected a table, found `1`"),
         ("lint.per-file-ignores = [1]", "expected a table"),
         (
@@ -249,7 +249,7 @@ fn settings_of_the_command_line() {
     };
     assert_eq!(
         says("none.toml"),
-        "--config: there is no file none.toml, and a setting is written as in lint.W310=off"
+        "--config: there is no file none.toml; a setting is written as in lint.W310=off"
     );
     let of = |text: &str| {
         Configs::chosen(&[text.to_owned()], &[], false)

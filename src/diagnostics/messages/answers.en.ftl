@@ -84,7 +84,7 @@ crosscheck-povray-edges = { $pixels ->
 crosscheck-povray-total = in { $pixels ->
     [one] { $pixels } pixel
    *[other] { $pixels } pixels
-}, not compared: POV-Ray has it otherwise
+}, not compared: POV-Ray computes it differently
 crosscheck-mitsuba-off = { $wrong } of { $pixels ->
     [one] { $pixels } pixel
    *[other] { $pixels } pixels
@@ -100,7 +100,7 @@ crosscheck-mitsuba-cut = { $pixels ->
 crosscheck-mitsuba-undecided = { $pixels ->
     [one] { $pixels } pixel
    *[other] { $pixels } pixels
-} where single precision, which Mitsuba computes in, takes something else for what is seen
+} where Mitsuba, which computes in single precision, sees something else
 crosscheck-mitsuba-shared = { $pixels ->
     [one] { $pixels } pixel
    *[other] { $pixels } pixels

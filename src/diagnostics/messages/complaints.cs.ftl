@@ -103,7 +103,7 @@ layout-mistake-stdin = { $place }: { $code }: { $message }; řádky s chybami z�
 range-of-many = --range platí jen pro jeden soubor
 not-a-file = není to obyčejný soubor
 stdin-and-path = `--stdin-filename` pojmenovává standardní vstup, takže { $path } se nepřečte: vynechte jedno z nich
-misnamed-settings = { $path } neplatí: soubor s nastavením se jmenuje { $right }
+misnamed-settings = { $path } se ignoruje: soubor s nastavením se musí jmenovat { $right }
 no-files = není tu soubor se scénou, jehož nastavení by šlo ukázat
 
 ## Vykreslování a dotazy
@@ -152,7 +152,7 @@ note-camera-inside = kamera je uvnitř tělesa: obrázek ukazuje těleso zevnit�
 note-nothing-lit = na nic, co je vidět, nedopadá světlo
 note-too-bright-by = { $percent } % pixelů je jasnějších než bílá: záznam { $id } vydává víc světla, než dostává; co napsat, řekne `zpg check`
 note-too-bright = { $percent } % pixelů je jasnějších než bílá; napraví to `--exposure { $exposure }`
-note-drawn-anyway = soubor { $path } nemůže uvést, čeho je obrázkem, jako to umí .png a .exr: vykreslí se v každém případě
+note-drawn-anyway = soubor { $path } neuvádí, jaký obrázek v něm je, jako to dělá .png a .exr: vykreslí se v každém případě
 note-unfinished = v souboru { $path } zůstává { $percent } % obrázku; zbytek vykreslí tentýž příkaz s `--resume`
 note-other-part = { $path } je část jiného obrázku: nic se z ní nepoužije
 note-earlier-job = složka { $path } obsahuje dřívější úlohu a tato ji nahrazuje: skripty a scény se zapíšou znovu; obrázky zůstávají, a které by vyšly stejně, ty se znovu nekreslí
@@ -225,7 +225,7 @@ in-orbit = --orbit: { $why }
 in-cell = { $path }, řádek { $row }, sloupec { $column }: { $why }
 empty-table = v souboru { $path } nejsou žádné řádky s čísly: pod řádkem se jmény má být jeden pro každý snímek
 empty-cell = buňka je prázdná
-cell-beyond = je tu `{ $text }`, ale první řádek pro to nemá jméno
+cell-beyond = první řádek nemá jméno pro sloupec, ve kterém je `{ $text }`
 rows-and-frames = `--frames` uvádí { $frames ->
     [one] { $frames } snímek
     [few] { $frames } snímky
@@ -414,7 +414,7 @@ habit-linter = všechny kódy vypíše `zpg explain`
 habit-new = zpg má místo toho `zpg new`
 habit-no-fix = taková volba není; bez `--fix` `zpg check` nic nezapíše
 habit-no-option = tak je to i bez jakékoli volby
-habit-none = nic takového v zpg není
+habit-none = takovou volbu zpg nemá
 habit-output = soubor, do kterého se zapíše, udává `-o { $path }`
 habit-output-format-explain = taková volba není; mimo terminál píše `zpg explain` v Markdownu
 habit-output-format-fmt = taková volba není; co by se změnilo, ukáže `--diff`, a soubory vypíše `--check`
@@ -506,7 +506,7 @@ lsp-no-command = zpg nemá příkaz { $text }
 lsp-no-target = zpg zde scénu do { $text } nepřevádí
 lsp-missing = soubor { $path } neexistuje
 lsp-unreadable = zprávu { $method } nelze přečíst, je vynechána: { $reason }
-lsp-no-edits = editor neprovádí úpravy, o které je požádán; může si vyžádat akci { $kind }
+lsp-no-edits = editor neprovádí úpravy, které mu zpg pošle; může si místo nich vyžádat akci { $kind }
 lsp-has-errors = { $count ->
     [one] ve scéně je chyba na řádku { $line }: { $message }
     [few] ve scéně jsou { $count } chyby, první na řádku { $line }: { $message }

@@ -8,8 +8,8 @@ at-line = { $path }:{ $line }: { $why }
 
 ## Files
 
-no-scene = { $path } is no scene
-no-picture = { $path } is no picture
+no-scene = { $path } is not a scene
+no-picture = { $path } is not a picture
 cannot-read = cannot read { $path }: { $reason }
 cannot-write = cannot write { $path }: { $reason }
 cannot-print = cannot write to standard output: { $reason }
@@ -17,19 +17,19 @@ not-found-but = there is no such file, but { $path }
 too-large = it is larger than { $size } GiB
 picture-broken = it is damaged, or in a form that zpg does not read
 picture-too-wide = it has { $width } × { $height } pixels; { $side } × { $side } are read at most
-pictures-too-large = the pictures of a scene may take 256 MiB together
-cannot-write-in-place = cannot write { $path }: { $reason }; what it was is kept in { $copy }
+pictures-too-large = the pictures of a scene may take at most 256 MiB together
+cannot-write-in-place = cannot write { $path }: { $reason }; its old content is kept in { $copy }
 no-folder = there is no folder { $path }
 read-only-file = it is read-only
-no-regular-file = it is no regular file
-wrong-ending = { $path } ends in { $ending }, which is not what is written: choose a name that ends in { $right }
+no-regular-file = it is not a regular file
+wrong-ending = { $path } ends in { $ending }, but the output has another format: choose a name that ends in { $right }
 scene-name = the name of a scene ends in .zpg: write { $right }
-file-is-there = { $path } is there already: choose another name, or --force writes over it
-scene-is-there = { $path } is a scene that is there already: choose another name, or --force writes over it
-other-ending = { $path } is a file of another tool by its name ({ $ending }), and is left as it is; --force changes it all the same
-text-lost = as { $encoding } it would lose something
-no-scene-any-more = too few of its lines would begin with a number, or too few of its numbers would be in records, so that it would not be known for a scene
-layout-changes-content = internal error: { $path } would not say the same when it is formatted, and is left as it is; please report this
+file-is-there = { $path } already exists: choose another name, or overwrite it with --force
+scene-is-there = { $path } is a scene that already exists: choose another name, or overwrite it with --force
+other-ending = { $path } has the ending of another tool's files ({ $ending }) and is left as it is; --force changes it anyway
+text-lost = written as { $encoding }, it would lose characters
+no-scene-any-more = too few of its lines would begin with a number, or too few of its numbers would be in records, so that zpg would no longer recognise it as a scene
+layout-changes-content = internal error: formatting would change what { $path } says, so it is left as it is; please report this
 no-scenes = no scene files (*.zpg) in { $path }
 
 io-not-found = No such file or directory
@@ -43,23 +43,23 @@ io-read-only = Read-only file system
 
 in-file = { $path }:{ $line }:{ $column }: { $why }
 setting-toml = this is not TOML: { $reason }
-setting-truth = { $text } is no value of TOML: write `true` or `false`
-setting-quotes = { $text } is no value of TOML: a text stands in quotes, write { $right }
+setting-truth = { $text } is not a TOML value: write `true` or `false`
+setting-quotes = { $text } is not a TOML value: a text needs quotes, write { $right }
 setting-unknown = there is no setting { $key }, only { $known }
 setting-codes-known = codes with their levels, as in `W310 = "off"`, and `per-file-ignores`
 setting-value = `{ $key }`: expected { $wanted }, found { $found }
-setting-glob = { $text } is no pattern of files: { $reason }
+setting-glob = { $text } is not a file pattern: { $reason }
 setting-table = a table
 setting-level = one of `error`, `warning`, `note`, `off`
 setting-codes = a list of codes, such as ["W307", "style"]
-setting-patterns = a list of patterns of files, such as ["old", "*/draft.zpg"]
+setting-patterns = a list of file patterns, such as ["old", "*/draft.zpg"]
 setting-width = a whole number (a width is from 20 to 1000)
 setting-bool = true or false
 setting-numbers = "shortest" or "keep"
-config-neither = --config: there is no file { $path }, and a setting is written as in lint.W310=off
+config-neither = --config: there is no file { $path }; a setting is written as in lint.W310=off
 config-setting = --config { $text }: { $why }
-config-two-files = --config names two files of settings, { $first } and { $second }: name one
-config-isolated = --config { $path } does not go together with --isolated, which ignores all files of settings
+config-two-files = --config names two settings files, { $first } and { $second }: name one
+config-isolated = --config { $path } cannot be used with --isolated, which ignores all settings files
 
 ## Codes and topics
 
@@ -74,7 +74,7 @@ no-topic-list = there is no finding or record type { $text } (`zpg explain` list
 ## Watching
 
 stdin-not-watched = standard input cannot be watched
-watch-no-width = `-w` watches the scene, and takes no { $text }: a size is given as in `--size 64x48`
+watch-no-width = `-w` watches the scene and takes no { $text }: write a size as in `--size 64x48`
 cannot-watch = cannot watch for changes: { $reason }
 watching = Watching for changes; Ctrl-C ends it
 
@@ -100,10 +100,10 @@ range-behind-end = { $path } has { $lines ->
 }: nothing is formatted
 layout-mistake = { $place }: { $code }: { $message }; lines with mistakes stay as they are, `{ $command }` says more
 layout-mistake-stdin = { $place }: { $code }: { $message }; lines with mistakes stay as they are
-range-of-many = --range takes the lines of one file
+range-of-many = --range works on one file only
 not-a-file = it is not a plain file
 stdin-and-path = `--stdin-filename` names standard input, so { $path } is not read: leave out one of them
-misnamed-settings = { $path } does not count: the name of settings is { $right }
+misnamed-settings = { $path } is ignored: a settings file must be named { $right }
 no-files = there is no scene file to show the settings of
 
 ## Drawing and asking
@@ -119,7 +119,7 @@ picture-needs-memory = the picture would take { $needed } of memory, and --memor
 file-needs-memory = it is so long that about { $needed } of memory would be needed, and --memory { $memory } is allowed
 too-many-parts-in-one-place = the scene has { $parts } parts, each occurrence counted, and so many of them lie over one another that rays would need more than --memory { $memory } allows: let fewer copies overlap, or allow more
 expected-memory = expected an amount of memory, such as 800M or 12G
-fewer-threads = --threads { $wanted } are too many; { $most } are started, four for each processor
+fewer-threads = --threads { $wanted } is too many; { $most } threads are started, four for each processor
 no-threads = cannot start threads: { $reason }
 ctrl-c-leaves = Ctrl-C may leave temporary files: { $reason }
 ctrl-c-leaves-programs = Ctrl-C may leave other programs running: { $reason }
@@ -130,11 +130,11 @@ unseen-inside = inside of the opaque { $type } { $id }
 map-is-png = a heatmap is a PNG picture: expected a name that ends in .png, not { $path }
 
 no-such-camera = the scene has no camera { $id }; its cameras: { $cameras }
-no-cameras = the scene has no camera { $id }: it has none at all
+no-cameras = the scene has no camera { $id }: it has no cameras at all
 stereo-of-one = --stereo needs two cameras, and the picture is taken by one: the scene has no stereo camera (type -503), or --camera chooses one
 two-on-stdout = standard output takes one of the outputs: name a file for the other
 pair-on-stdout = two pictures cannot be written to standard output: choose --stereo side-by-side or --stereo anaglyph
-note-left-eye = of the two cameras, { $id } is taken, the left one; `--camera` takes the other
+note-left-eye = camera { $id }, the left one of the two, takes the picture; `--camera` chooses the other
 note-no-camera = the scene has no camera: it is seen from the right, the front and above
 note-comma = line { $line }: { $text } is read as two numbers, { $number }; write a decimal point if it is one{ $more ->
     [0] { "" }
@@ -150,15 +150,15 @@ note-nothing-to-see = the scene has nothing that could be seen; `zpg check` says
 note-camera-inside = the camera is inside of a solid: the picture shows that from within
 note-nothing-lit = no light falls on anything that is seen
 note-too-bright-by = { $percent } % of the pixels are brighter than white: the record { $id } gives out more light than it gets; `zpg check` says what to write
-note-too-bright = { $percent } % of the pixels are brighter than white; `--exposure { $exposure }` mends it
-note-drawn-anyway = { $path } cannot say what it is a picture of, as .png and .exr can: it is drawn in any case
+note-too-bright = { $percent } % of the pixels are brighter than white; `--exposure { $exposure }` corrects it
+note-drawn-anyway = { $path } does not record which picture it holds, as .png and .exr do: it is drawn in any case
 note-unfinished = { $path } keeps { $percent } % of the picture; the same command with `--resume` draws the rest
-note-other-part = { $path } is a part of another picture: nothing of it is taken
+note-other-part = { $path } is a part of another picture: nothing of it is used
 note-earlier-job = { $path } holds an earlier job, which this one replaces: scripts and scenes are written anew; pictures stay, and those that would come out the same are not drawn again
 note-one-frame = `--frames { $frame }` draws frame { $frame } alone; the first { $frame } are `--frames 0-{ $last }`
 several-with-one-output = `--stats` and `--heatmap` are for one scene
 several-with-tile = `--tile` is for one scene
-part-format = { $path } cannot say which part of a picture it is: let it end in .png or .exr
+part-format = { $path } cannot record which part of a picture it holds: choose a name that ends in .png or .exr
 more-tiles-than-rows = more tiles ({ $count }) than the picture has rows ({ $height })
 already-drawn = { $path } is drawn already
 too-large-for-format = pictures like { $path } are at most { $most } pixels wide and high
@@ -184,16 +184,16 @@ expected-number-from-one = expected a whole number from 1 to 1000000
 not-drawn-by-zpg = { $path } does not say what picture it is a part of: it was not written by `zpg render`, or another program has changed it
 picture-cut-off = { $path } is damaged or cut off: draw it again
 joined-format = a picture is joined as .png or .exr, not as { $path }
-joined-whole = { $path } is a whole picture, and no part of one
+joined-whole = { $path } is a whole picture, not a part of one
 joined-unfinished = { $path } is what an interrupted `zpg render` has left: `zpg render --resume` goes on with it
-exr-of-png = { $path } has 8-bit colours, of which no .exr can be made: draw the parts as .exr
+exr-of-png = an .exr cannot be made from { $path }, which has 8-bit colours: draw the parts as .exr
 no-parts = there are no parts: no file that ends in .png or .exr
 parts-left-out = left out: { $paths }; a part is a PNG or EXR file with another name than the picture
 part-changed = { $path } was changed while the parts were joined
 part-of-another = { $path } is a part of another picture than { $other }: { $reason }
-of-another-version = another version of zpg has drawn it
-of-another-scene = the scene, or a texture of it, was another
-of-other-options = the options were others
+of-another-version = it was drawn by another version of zpg
+of-another-scene = it was drawn from another scene, or with another texture
+of-other-options = it was drawn with other options
 rows-twice = rows { $first } to { $last } are in { $path } and in { $other }
 rows-missing = { $count ->
     [one] one row of { $height } is missing: { $rows }
@@ -205,15 +205,15 @@ rows-missing = { $count ->
 no-frames = { $arg } needs `--frames`, which says which frames there are, as in --frames 0-99
 frames-alike = all frames would be alike: `--set`, `--orbit` or `--frames-from` says what varies
 frames-on-stdout = frames are several pictures: name a file with `-o`, such as film.png or film.apng
-frames-of-json = { $path } is a scene in JSON, and the numbers of records vary: `zpg convert --to zpg` makes records of it
+frames-of-json = { $path } is a scene in JSON, and only numbers of records can vary: `zpg convert --to zpg` makes records of it
 only-outside = `--only` names frames that are not among the frames { $frames }
 too-many-frames = there are at most { $most } frames
 film-of-one = zpg does not write { $path }; `-o { $still }` makes a still picture, and with `--frames` and `-o { $animated }` zpg writes an animated one
 film-by-ffmpeg = zpg does not write { $path }: draw the frames with `-o { $frames }`, and make a film of them with `{ $line }`. With `-o { $animated }` zpg itself writes an animated picture
 animation-without-frames = { $path } is an animated picture: `--frames` says of which frames
 animation-of-tiles = `--tile` draws parts of frames into .png or .exr files, not into { $path }
-fps-of-files = `--fps` is for an animated picture (.apng), and { $path } is none
-note-camera-stays = camera { $id } takes the picture and stays where it is, since `--orbit` turns another one; of a stereo camera (type -503) the ID of its own record turns both
+fps-of-files = `--fps` is for an animated picture (.apng), and { $path } is not one
+note-camera-stays = camera { $id } takes the picture and stays where it is, since `--orbit` turns another one; the ID of a stereo camera (type -503) turns both of its cameras
 wrote-animation = Wrote { $path }: { $frames ->
     [one] { $frames } frame
    *[other] { $frames } frames
@@ -226,7 +226,7 @@ in-orbit = --orbit: { $why }
 in-cell = { $path }, row { $row }, column { $column }: { $why }
 empty-table = { $path } has no rows of numbers: it needs one for each frame, below the row with the names
 empty-cell = the cell is empty
-cell-beyond = there is `{ $text }`, and the first row has no name for it
+cell-beyond = the first row has no name for the column of `{ $text }`
 rows-and-frames = `--frames` names { $frames ->
     [one] { $frames } frame
    *[other] { $frames } frames
@@ -237,7 +237,7 @@ rows-and-frames = `--frames` names { $frames ->
 set-twice = { $name } is varied twice
 no-record-of-id = the scene has no record with ID { $id }
 no-record-on-line = { $name }: no record with this ID begins on this line; such records begin on lines { $lines }
-no-such-parameter = { $name }: the records with ID { $id } have no number of this name, but: { $known }
+no-such-parameter = { $name }: the records with ID { $id } have no number of this name; they have: { $known }
 no-parameters = the records with ID { $id } have no numbers that could vary
 parameter-left-out = { $name } is not written in the scene: write the optional numbers of the record first
 several-parameters = { $name } may mean several: write one of { $names }
@@ -305,7 +305,7 @@ sheet-findings-version = { $path } has version { $version }, which this zpg does
 no-pictures = no pictures (*.png, *.jpg, *.webp, *.exr, *.pfm) in { $path }
 would-overwrite-picture = { $path } is a picture of the folder and would be overwritten: choose another name for the sheet
 mesh-on-stdout = an OBJ consists of several files: name one with -o
-binary-on-terminal = this is no text for a terminal: name a file with -o, or redirect standard output to one
+binary-on-terminal = the output is binary and not for a terminal: name a file with -o, or redirect standard output to one
 pictures-of-one-name = the pictures of { $scene } and { $other } would both be { $path }: draw them one by one, or name a folder that both are in
 would-write-twice = { $path } would be written twice: choose another name for one of the files
 would-overwrite-scene = { $path } is the scene itself and would be overwritten: choose another name for what is written
@@ -319,7 +319,7 @@ many-files = the translation is more than one file ({ $documents ->
 
 ## Scenes as JSON
 
-json-deep = lists and objects lie too deep in one another
+json-deep = lists and objects are nested too deep
 json-not-formatted = { $path } is a scene in JSON, which zpg fmt does not lay out
 own-mistake = { $path }: zpg has made a mistake and has given up on this file; please report the mistake, with the file and the lines above
 json-not-changed = { $path } is a scene in JSON, which zpg check only reads: --fix, --diff and --add-allow are for records
@@ -340,7 +340,7 @@ json-list-of = a list of { $length }
 json-shorter-list = a shorter list
 json-object = an object in braces
 json-version = version { $found } is not known, only version { $known }
-json-not-before = it names node { $node }, which does not stand before it
+json-not-before = it names node { $node }, which must stand before it
 json-no-node = there is no node { $node }
 json-no-camera = there is no camera { $camera }
 json-id-range = an ID is from 2 to { $max }, not { $id }
@@ -357,85 +357,85 @@ usage-unknown = unexpected argument `{ $arg }`
 usage-no-command = there is no command `{ $arg }`
 usage-missing = missing: { $arg }
 usage-twice = `{ $arg }` can be given only once
-usage-conflict = `{ $arg }` does not go together with `{ $other }`
+usage-conflict = `{ $arg }` cannot be used with `{ $other }`
 usage-no-value = `{ $arg }` needs a value
 usage-flag = `{ $arg }` takes no value, but `{ $text }` is given
 usage-value = `{ $text }` is not a value of `{ $arg }`
-usage-not-text = an argument is no text in UTF-8
+usage-not-text = an argument is not UTF-8 text
 usage-values = there are { $values }
 
 # What ruff has and zpg calls otherwise, or has not.
 
 habit-add-allow = zpg calls it `zpg check --add-allow`
 habit-analyze = `zpg plan` says which effects a scene needs
-habit-angle = there is none; the angle of view is the last number of the camera's record (-501)
+habit-angle = there is no such option; the angle of view is the last number of the camera's record (-501)
 habit-all-codes = `zpg explain` without an argument lists all
 habit-axes = `zpg accuracy` compares several values; `--axes` says of what, for example `--axes samples,adaptive`
-habit-background = there is none; the background is the second number of the render record (9999): the ID of a colour, or 0 for black
+habit-background = there is no such option; the background is the second number of the render record (9999): the ID of a colour, or 0 for black
 habit-behind-command = the options of a command stand behind its name: `zpg check { $text }`
 habit-cache = zpg keeps no cache
 habit-called = zpg calls it `{ $text }`
 habit-check = zpg calls it `zpg check`
 habit-check-json = `zpg check` calls it `--format json`
-habit-clock = there is none; a number of the scene that varies from frame to frame is named by `--set`, for example `--frames 0-29 --set 9.fovy=30..60`
+habit-clock = there is no such option; a number of the scene that varies from frame to frame is named by `--set`, for example `--frames 0-29 --set 9.fovy=30..60`
 habit-completions = zpg calls it `zpg completions`
 habit-config = `zpg check --show-settings` shows all settings, and `--config` changes one
 habit-convert = zpg calls it `zpg convert`
 habit-crosscheck = zpg calls it `zpg crosscheck`
-habit-declare = zpg has none: the numbers of a scene stand in its file
+habit-declare = zpg has no such option: the numbers of a scene stand in its file
 habit-default = that is the default: leave out `{ $text }`
 habit-deny = zpg calls it `--deny warnings`
 habit-dry-run = zpg calls it `--diff`
 habit-exclude = zpg calls it `--exclude`, which counts in place of `exclude` in zpg.toml
-habit-exit-non-zero = there is none; `--diff` writes nothing and exits with 1 where something would change
+habit-exit-non-zero = there is no such option; `--diff` writes nothing and exits with 1 where something would change
 habit-exit-zero = zpg calls it `--exit-zero`
-habit-extension = there is none; zpg knows a scene by what is in it
+habit-extension = there is no such option; zpg knows a scene by what is in it
 habit-fix = zpg calls it `zpg check --fix`
-habit-fix-only = there is none; `zpg check --fix` mends and then reports what is left, and `--exit-zero` makes its exit status 0
-habit-fixable = there is none; `--fix` mends all that is certain, and `--select` and `--ignore` choose what is looked for
-habit-fmt-output = there is none; `zpg fmt` writes into the files, and `zpg fmt - < scene.zpg` to standard output
+habit-fix-only = there is no such option; `zpg check --fix` fixes what it can and then reports what is left, and `--exit-zero` makes its exit status 0
+habit-fixable = there is no such option; `--fix` fixes all that is certain, and `--select` and `--ignore` choose what is looked for
+habit-fmt-output = there is no such option; `zpg fmt` writes into the files, and `zpg fmt - < scene.zpg` to standard output
 habit-format = `zpg convert` calls it `--to`, or takes the ending of `-o`; `zpg check` calls it `--output-format`
 habit-depth = zpg calls it `--depth`, for example `--depth 5`
 habit-frames = zpg calls it `--frames`, for example `--frames 0-29 --set 9.fovy=30..60`
 habit-from = zpg calls it `--from { $text }`
-habit-gamma = there is none; pictures are written in sRGB, and `--exposure` makes them brighter
-habit-gitignore = there is none; zpg always honours .gitignore in folders
+habit-gamma = there is no such option; pictures are written in sRGB, and `--exposure` makes them brighter
+habit-gitignore = there is no such option; zpg always honours .gitignore in folders
 habit-ignore = zpg calls it `--ignore`
-habit-ignore-allow = there is none; the comments that allow findings always count
-habit-in-place = there is none; `zpg fmt` writes into the files, and `--diff` only shows what it would change
+habit-ignore-allow = there is no such option; the comments that allow findings always count
+habit-in-place = there is no such option; `zpg fmt` writes into the files, and `--diff` only shows what it would change
 habit-json = zpg calls it `--json`
 habit-line-length = zpg calls it `--config format.width={ $length }`
 habit-linter = `zpg explain` lists all codes
 habit-new = zpg calls it `zpg new`
-habit-no-fix = there is none; `zpg check` writes nothing without `--fix`
+habit-no-fix = there is no such option; `zpg check` writes nothing without `--fix`
 habit-no-option = that is the default, without any option
-habit-none = zpg has none
+habit-none = zpg has no such option
 habit-output = the file to write is named by `-o { $path }`
-habit-output-format-explain = there is none; `zpg explain` writes Markdown where its output is no terminal
-habit-output-format-fmt = there is none; `--diff` shows what would change, and `--check` names the files
+habit-output-format-explain = there is no such option; `zpg explain` writes Markdown where its output is no terminal
+habit-output-format-fmt = there is no such option; `--diff` shows what would change, and `--check` names the files
 habit-per-file-ignores = zpg calls it {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
 habit-picture-format = the ending of `-o` says the format, for example `-o picture.png`
-habit-preview = there is none; all rules of zpg are stable
-habit-probe-json = there is none; `zpg probe` always writes JSON
+habit-preview = there is no such option; all rules of zpg are stable
+habit-probe-json = there is no such option; `zpg probe` always writes JSON
 habit-render = zpg calls it `zpg render`
-habit-render-preview = there is none; `--quality draft` draws quickly, and `--watch` draws again when the scene changes
+habit-render-preview = there is no such option; `--quality draft` draws quickly, and `--watch` draws again when the scene changes
 habit-samples = zpg calls it `--samples`, or `--quality draft`, `good` or `final`
 habit-scene-named = the scene is named on its own, without `{ $text }`
 habit-scene = the scene is named on its own, without an option: `zpg render { $path }`
-habit-seed = there is none; the samples of a picture are always the same
+habit-seed = there is no such option; the samples of a picture are always the same
 habit-server = zpg calls it `zpg lsp`
-habit-show-fixes = there is none; `--diff` shows what `--fix` would change
-habit-show-source = there is none; findings always show their lines, and `--output-format concise` leaves them out
+habit-show-fixes = there is no such option; `--diff` shows what `--fix` would change
+habit-show-source = there is no such option; findings always show their lines, and `--output-format concise` leaves them out
 habit-silent = zpg calls it `--quiet`
-habit-size-or-silent = zpg calls it `--size`, for example `--size 640x480`; what says less is `--quiet`
+habit-size-or-silent = zpg calls it `--size`, for example `--size 640x480`; for less output, use `--quiet`
 habit-silent-or-size = zpg calls it `--quiet`; the size of a picture is `--size`, for example `--size 640x480`
 habit-size = zpg calls it `--size`, for example `--size { $size }`
-habit-target-version = there is none; the scene language has one version
+habit-target-version = there is no such option; the scene language has one version
 habit-to = zpg calls it `--to`, for example `--to pov`
 habit-translation = `zpg convert { $scene } -o { $path }` translates the scene
 habit-threads = zpg calls it `--threads`, for example `--threads { $threads }`
-habit-verbose-render = there is none; `--cost` prints what the picture has cost and where, and `zpg plan` which effects it needs
-habit-verbose = there is none; zpg says all that it found
+habit-verbose-render = there is no such option; `--cost` prints what the picture has cost and where, and `zpg plan` which effects it needs
+habit-verbose = there is no such option; zpg says all that it found
 habit-version = zpg calls it `zpg --version`
 habit-view = zpg calls it `--view { $text }`; `--camera` takes the ID of a camera
 
@@ -498,12 +498,12 @@ explain-in-a-scene = In a scene
 explain-also = See also: { $list }
 explain-help = `{ $text }` says more.
 explain-help-option = `{ $text }` says more at `{ $option }`.
-lsp-no-uri = { $text } is no URI
+lsp-no-uri = { $text } is not a URI
 lsp-no-command = zpg has no command { $text }
 lsp-no-target = zpg does not convert a scene to { $text } here
 lsp-missing = { $path } is not there
 lsp-unreadable = { $method } cannot be read and is left out: { $reason }
-lsp-no-edits = the editor makes no edits that it is asked for; it may ask for the action { $kind }
+lsp-no-edits = the editor does not make edits that zpg sends; instead it can ask for the action { $kind }
 lsp-has-errors = { $count ->
     [one] the scene has an error, in line { $line }: { $message }
    *[other] the scene has { $count } errors, the first in line { $line }: { $message }

@@ -217,7 +217,7 @@ fix-sign-of-place = změnit znaménko { $axis } kamery: napsat { $number }
 fix-view-and-up = prohodit oba vektory: směr pohledu { $number }, nahoru { $up }
 fix-free-id = dát záznamu ID { $number }
 fix-chain = { $count ->
-    [one] dát této operaci vlastní ID { $number } a odtud psát místo { $text } to
+    [one] dát této operaci nové ID { $number } a ve všech záznamech níže psát { $number } místo { $text }
     [few] dát každé z těchto { $count } operací vlastní ID ({ $number }), které místo { $text } použije ta další
    *[other] dát každé z těchto { $count } operací vlastní ID ({ $number }), které místo { $text } použije ta další
 }
@@ -468,7 +468,7 @@ E014-numbers = soubor nevypadá jako scéna: { $all ->
        *[other] v záznamech leží { $numbers } z { $all } čísel
     }
     .label = toto není záznam
-    .help = scénu tvoří záznamy `ID TYP PARAMETR…`; aspoň polovina jejích čísel leží v záznamech, které lze přečíst nebo jim k tomu chybí jediná oprava
+    .help = scénu tvoří záznamy `ID TYP PARAMETR…`; aspoň polovina jejích čísel leží v záznamech, které lze přečíst nebo v nichž je jediná malá chyba
 E014-known = { $kind ->
         [picture] obrázek { $name }
         [recording] zvuková nahrávka { $name }
@@ -547,7 +547,7 @@ E101-hidden = { E101 }
 E101-switched-off = { E101 }
     .label = mimo komentáře nemá toto ID žádný záznam
 E101-missing = { E101 }: možná chybí jeho definice
-    .label = toto zbylo z toho, co mělo ID { $id }
+    .label = tento záznam potřebuje definici { $id }
     .help = nad tento záznam napište záznam, který { $id } definuje
 E101-missing-colour = { E101 }: možná chybí definice této barvy
     .label = { E101.label }

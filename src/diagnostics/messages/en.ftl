@@ -117,7 +117,7 @@ fix-write-all = { $count ->
 }
 fix-space = if a space is missing, write { $number }
 fix-defined = write { $number } in the definition above
-fix-both-ways = if it is the same number both ways, write { $number }
+fix-both-ways = if both directions have the same value, write { $number }
 fix-czech-key = on a Czech keyboard { $key } is the key of { $digit }: write { $number }
 fix-type = write `{ $number }` ({ $type })
 fix-types = exchange the types of both records: write `{ $number }` ({ $type }) here
@@ -131,9 +131,9 @@ fix-quad = if these are four corners, write two triangles and their union
 fix-flat-profile = leave out the third number of each point, which is 0
 fix-colour-each = write the colour { $text } once a point, { $count } times
 fix-colour-apart = write the type `{ $number }` ({ $type }), and the colour { $text } as a record of its own
-fix-operation = put `{ $text }` above the other records of its ID: { $first } and { $last } are not used
-fix-difference = a minus is no complement here; the intersection with the complement of { $id } is a difference: write { $number }
-fix-union = put `{ $text }` above: a union of the two objects that nothing uses
+fix-operation = insert `{ $text }` above the other records of its ID: nothing uses { $first } and { $last } yet
+fix-difference = a minus does not mean the complement here; the intersection with the complement of { $id } is a difference: write { $number }
+fix-union = insert `{ $text }` above this record: a union of the two objects that nothing uses yet
 fix-switch-on = { $count ->
     [one] take the record of { $id } out of its comment
    *[other] take the record of { $id } and what it needs out of their comments
@@ -146,17 +146,17 @@ fix-decimal-comma = if { $text } has a decimal comma, write { $number }
 lack = the numbers here may be { $have }, with { $missing } ({ $parameter }) left out
 lack-any = the parameters are, in order, `{ $missing }`; which of them are missing cannot be told
 lost = its definition may be missing; `--unsafe-fixes` takes none of these guesses
-no-part = a light shines by itself; it is no part of an object
+no-part = a light shines by itself; it is not part of an object
 choose = several guesses are as good: choose one, since `--unsafe-fixes` takes none of them
 undecided = `--unsafe-fixes` does not take this guess: only you know whether it is meant
-refused = `--unsafe-fixes` takes no guess here: there would be no fewer findings after it
+refused = `--unsafe-fixes` takes no guess here: none of them leaves fewer findings
 switched-off = the record of { $id } stands in the comment on line { $line }
-behind-sign = line { $behind } is in no comment: the comment before it ends at its first `#`
+behind-sign = line { $behind } is not in a comment: its first `#` ends the comment before it
 comment-ends = a comment ends at its second `#`; whatever comes after it is read as numbers
-assignment-ids = ID is that of the object, T that of its texture or colour, and O that of its optical property; 0 is none
+assignment-ids = ID is that of the object, T that of its texture or colour, and O that of its optical property; 0 means none
 smaller-matrix = a 3 × 3 matrix of nine numbers is written with 16: a 0 behind each row, and 0 0 0 1 as the last row
-alpha = alpha is no part of a colour: what an object lets through is `kt` of its optics (`-201`)
-quaternion = these four numbers may be a quaternion; it turns about none of the axes x, y and z, so here it is a rotation matrix (`-4`)
+alpha = alpha is not part of a colour: what an object lets through is `kt` of its optics (`-201`)
+quaternion = these four numbers may be a quaternion; it does not turn about the axis x, y or z, so write it as a rotation matrix (`-4`)
 fix-lamp = write the intensity 1, and the colour as a record of its own
 fix-lamp-place = write the intensity 1, and the position as a record of its own
 fix-angle-last = the field of view comes last: write { $number }
@@ -165,7 +165,7 @@ fix-copy = write it as a copy of { $text } and its translation
 fix-apart-both = write { $text } as two records of their own: a translation and a colour
 fix-sign-apart = write `{ $number }`, and { $text } as a record of its own ({ $type })
 fix-sign-apart-both = write `{ $number }`, and { $text } as two records of their own: a translation and a colour
-fix-flat = write the rectangle in the plane z = 0, and what brings it to its place: { $records }
+fix-flat = write the rectangle in the plane z = 0, and the records that bring it to its place: { $records }
 fix-origin = leave out the position { $text }: this shape is at the origin
 fix-inline = { $count ->
     [one] write the colour { $text } as a record of its own
@@ -173,12 +173,12 @@ fix-inline = { $count ->
 }
 fix-equation = if this is meant as the { $type } of two objects, write { $number }
 fix-block = write it as records
-fix-block-angle = write it as records; `angle` of POV-Ray is that of the width, the angle of the height is { $number } for 4:3
-fix-block-plane = where POV-Ray's `plane` is meant, whose d has the other sign, write it as records
+fix-block-angle = write it as records; POV-Ray's `angle` spans the width; the angle that spans the height is { $number } for 4:3
+fix-block-plane = if this is POV-Ray's `plane`, whose d has the other sign, write it as records
 fix-clauses = write a record for the shape and one for each of its properties
 fix-clauses-some = write a record for the shape and one for each of its properties that records have; the others become a comment
 fix-properties = write each property and each transformation as a record of its own
-fix-properties-some = write each property and each transformation as a record of its own; what no record says becomes a comment
+fix-properties-some = write each property and each transformation as a record of its own; what no record can say becomes a comment
 fix-colour-id = { $count ->
     [one] write the ID of this colour, { $text }
    *[other] write the IDs of these colours, { $text }
@@ -198,14 +198,14 @@ fix-up = write the up vector { $number }
 fix-lay = lay the floor across the y axis: write { $number }
 fix-normal-sign = change the sign of the normal: write { $number }
 fix-per-cent = if the factors of { $text } are in per cent, write { $number }
-leading-zero = a number of the record begins with a zero: with { $number } this is said no more
-fix-ten-times-smaller = if what is taken away is ten times smaller, write { $number } for { $id }
+leading-zero = a number in this record begins with a zero; write { $number } and this message goes away
+fix-ten-times-smaller = if the subtracted object should be ten times smaller, write { $number } for { $id }
 fix-place-and-view = swap position and direction: write { $number }
-fix-sign-of-place = turn the sign of { $axis } of the camera: write { $number }
+fix-sign-of-place = change the sign of { $axis } of the camera: write { $number }
 fix-view-and-up = swap the two vectors: look along { $number }, with { $up } up
 fix-free-id = give it the ID { $number }
 fix-chain = { $count ->
-    [one] give this operation an ID of its own, { $number }, and write that in place of { $text } from here on
+    [one] give this operation the new ID { $number }, and write { $number } for { $text } in all records below
    *[other] give each of these { $count } operations an ID of its own ({ $number }), which the next one uses in place of { $text }
 }
 fix-named-id = give it a free ID: write { $number }
@@ -267,7 +267,7 @@ E003-colour = a colour is three numbers, not { $text }
     .label = in linear red, green and blue: { $number }
     .help = the numbers go from 0 to 1 and are linear; hexadecimal digits and the names of CSS are sRGB
     .fix = { fix-write }
-E003-material = { $text } is a material, and not its numbers
+E003-material = { $text } is the name of a material, not its numbers
     .label = such as { $number }
     .help = `-201 kd ks kt` says which shares of light are scattered, mirrored and let through; `-203` is the refractive index
     .fix = { fix-write }
@@ -294,7 +294,7 @@ E005-lost = this { $type } has no ID
     .label = this is the type, { $number }; an ID belongs in front of it
     .help = { $type-a } is written { $header }
 E005-name = this { $type } has no ID: a record begins with its ID
-    .label = the name of type { $number } is no ID
+    .label = the name of type { $number } is not an ID
     .help = { E005-lost.help }
 E005-swapped = { $text } cannot be an ID here: ID and type are swapped
     .label = the render record begins with { $number }
@@ -455,11 +455,11 @@ E014 = this does not look like a scene: { $lines ->
     .help = a scene is made of records, `ID TYPE PARAMETER…`, and of `# comments #`; at least half of its lines begin with a number
     .comments = where the other lines are comments, put each between two `#`
 E014-numbers = this does not look like a scene: { $all ->
-        [one] its only number is in no record
+        [one] its only number is not in a record
        *[other] { $numbers } of { $all } numbers are in records
     }
-    .label = this is no record
-    .help = a scene is made of records, `ID TYPE PARAMETER…`; at least half of its numbers are in records that can be read, or are one slip of the pen away from it
+    .label = this is not a record
+    .help = a scene is made of records, `ID TYPE PARAMETER…`; at least half of its numbers are in records that can be read, or that have one small mistake
 E014-known = this is { $kind ->
         [picture] { $name-a } picture
         [recording] { $name-a } recording
@@ -526,14 +526,14 @@ E101 = { $id } is not defined
     .label = nothing in this file has this ID
 E101-copied = { E101 }
     .label = { E101.label }
-    .help = { $other-id } is defined twice: the second is rather { $id }
+    .help = { $other-id } is defined twice: the second definition is probably that of { $id }
 E101-hidden = { E101 }
     .label = { E101.label }
     .help = ID { $id } is defined inside the comment that begins on line { $line }
 E101-switched-off = { E101 }
     .label = no record outside of comments has this ID
 E101-missing = { E101 }: its definition may be missing
-    .label = this is left of what had the ID { $id }
+    .label = this record needs the definition of { $id }
     .help = put the record that defines { $id } above this one
 E101-missing-colour = { E101 }: the definition of this colour may be missing
     .label = { E101.label }
@@ -590,7 +590,7 @@ E104 = { $id } is used in its own definition
 E105 = the render record must have the ID 1
     .label = this ID
     .fix = write `1`
-E105-swapped = the ID of the render record and what is drawn stand in each other's place
+E105-swapped = the ID of the render record and the ID of what is drawn are swapped
     .label = the render record has the ID 1, and { $id } is what is drawn
 E105-again = the render record must have the ID 1, and there is more than one
     .label = this ID
@@ -697,7 +697,7 @@ E207-projection = this projection matrix has no ray for a part of the picture
     .label = nothing in front of the camera is seen there
     .help = the camera looks along −z: the last row of a perspective is usually 0 0 -1 0
 
-E207-nearly = the camera's view direction and up vector are parallel up to the rounding of doubles
+E207-nearly = the camera's view direction and up vector are so nearly parallel that rounding hides the difference
     .label = { E207.label }
     .help = { E207.help }
 
@@ -726,7 +726,7 @@ E210-content = { E210 }
 
 ## Warnings
 
-no-inside = it has no inside: nothing of it is drawn, and nothing is cut by it
+no-inside = it has no inside: nothing of it is drawn, and it cuts nothing
 nothing-drawn = nothing of it is drawn
 
 ## Notes and style

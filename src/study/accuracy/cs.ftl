@@ -5,7 +5,7 @@ accuracy-kind-light = zanedbané světlo
 accuracy-kind-numbers = zaokrouhlování
 accuracy-kind-facets = plošky
 
-accuracy-advice-none = Nebylo dokončeno nic, z čeho by šlo radit.
+accuracy-advice-none = Poradit nelze: žádné měření nebylo dokončeno.
 accuracy-advice-wrong = Reference je chybná: nezávislý sledovač paprsků se 71 číslicemi dává jinou barvu v { $wrong } z { $pixels ->
     [one] { $pixels } pixelu
    *[other] { $pixels } pixelů

@@ -5,7 +5,7 @@ accuracy-kind-light = cut light
 accuracy-kind-numbers = rounding
 accuracy-kind-facets = facets
 
-accuracy-advice-none = Nothing was finished that advice could rest on.
+accuracy-advice-none = No advice can be given: no measurement was finished.
 accuracy-advice-wrong = The reference is wrong: an independent tracer in 71 digits comes to another colour in { $wrong } of { $pixels ->
     [one] { $pixels } pixel
    *[other] { $pixels } pixels
@@ -31,7 +31,7 @@ accuracy-price-unsure = at a price that could not be measured
 accuracy-advice-repair = In { $off } of the { $pixels ->
     [one] { $pixels } pixel
    *[other] { $pixels } pixels
-} that were looked at the light that is cut shows by more than a step. `{ $option }` puts { $right } of them right { $price }.
+} that were looked at, the cut light makes a difference of more than a step. `{ $option }` puts { $right } of them right { $price }.
 accuracy-advice-save = `{ $option }` saves { $percent } % of the time, and no further pixel is off by more than a step.
 accuracy-advice-no-change = No other setting of `zpg render` saves a tenth of the time without a visible change.
 accuracy-depth-more = A depth of { $depth }, the default, cuts light that can be seen: `{ $option }` puts { $right } of { $off ->
@@ -43,7 +43,7 @@ accuracy-depth-same = A depth of { $depth }, the default, is more than enough, b
 accuracy-depth-right = A depth of { $depth }, the default, is enough, and with less the picture changes.
 accuracy-numbers-same = Doubles are enough here: double-double, which has twice as many digits, takes { $times } times as long and gives the same picture.
 accuracy-numbers-unseen = Doubles are enough to the eye: double-double, which has twice as many digits, takes { $times } times as long and puts no pixel right.
-accuracy-numbers-untimed = Doubles put no pixel wrong.
+accuracy-numbers-untimed = Doubles get no pixel wrong.
 accuracy-numbers-report = Doubles are wrong in { $off ->
     [one] { $off } pixel
    *[other] { $off } pixels

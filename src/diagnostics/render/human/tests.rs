@@ -47,7 +47,7 @@ fn two_places_and_a_fix() {
        │ Help: swap them (a guess):
        │       7 9999 77 0
        │
-       │ Note: it has no inside: nothing of it is drawn, and nothing is cut by it
+       │ Note: it has no inside: nothing of it is drawn, and it cuts nothing
     ───╯
     "#);
 }

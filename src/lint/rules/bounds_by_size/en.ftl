@@ -1,10 +1,10 @@
-W341 = a comment on the { $type } { $id } speaks of a size, and its numbers are read as bounds
+W341 = a comment on the { $type } { $id } speaks of a size, but its numbers are read as bounds
     .label = these are the upper bounds
-    .help = first come the lower bounds, then the upper ones: with both zpg knows place and size
+    .help = the lower bounds of all axes come first, then the upper bounds; a size is not written
     .fix-size = { E202.fix-size }
     .fix-centre = { E202.fix-centre }
     .fix-half = { E202.fix-half }
-W341-diameter = a comment on the sphere { $id } speaks of its diameter, and the number is read as its radius
+W341-diameter = a comment on the sphere { $id } speaks of its diameter, but the number is read as its radius
     .label = this is the radius
     .help = a sphere is given by its radius, half of the diameter
     .fix-diameter = if this is the diameter, write { $number }

@@ -1,7 +1,7 @@
 W335 = { $object } { $object-id } není nikdy vidět: celý objekt leží uvnitř neprůhledného tělesa: { $solid } { $solid-id }
     .label = toto je celé skryté
     .solid = tímto tělesem, které nepropouští světlo
-    .help = nemá být místo sjednocení rozdíl? Díra je `-103 { $solid-id } { $object-id }`
+    .help = nemá to být rozdíl? Díra se píše `-103 { $solid-id } { $object-id }`
 W335-several = { $count ->
     [one] { $count } objekt není
     [few] { $count } objekty nejsou

@@ -18,9 +18,9 @@ W321 = in the { $operation } { $id }, { W321.the-tool } ends flush with { W321.t
        *[all] its surface
     }
     .operation = the { $operation }
-    .note = whether a skin of no thickness is left there is up to rounding
+    .note = rounding decides whether a skin of no thickness is left there
     .help = let the tool reach a little past the face that it cuts through
-    .fix = let it reach a hair further
+    .fix = let it reach slightly further
     .the-tool = { $tool-copy ->
         [none] the { $tool } { $tool-id }{ $tool-in ->
             [none] {""}
@@ -46,18 +46,18 @@ W321-holes = in the { $operation } { $id }, { W321.the-tool } cuts up to where {
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
-    .note = whether a wall of no thickness is left between the two is up to rounding
+    .note = rounding decides whether a wall of no thickness is left between the two
     .help = let one of the two reach a little into the other
     .fix = { W321.fix }
 W321-touch = in the { $operation } { $id }, { W321.the-tool } and { W321.the-other } only touch: they share a face around ({ $x }, { $y }, { $z })
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
-    .note = what they have in common there is a sheet of no thickness; whether it is seen is up to rounding
+    .note = what they have in common there is a sheet of no thickness; rounding decides whether it is seen
 W321-empty = { W321-touch }
     .label = { W321.label }
     .other = { W321.other }
     .operation = { W321.operation }
     .note = { W321-touch.note }
-    .help = the intersection is empty but for that: was a union meant?
+    .help = the intersection is otherwise empty: did you mean a union?
     .fix-union = for a union, write { $number }

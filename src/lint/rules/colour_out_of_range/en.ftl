@@ -5,7 +5,7 @@ W301 = the parts of a colour must lie between 0 and 1; here { $parts }
     .linear = write these sRGB numbers as linear ones
     .hundredths = divide by 100
     .point-lost = write the decimal point
-    .fix = write the nearest that is in range
+    .fix = write the nearest colour that is in range
 W301-point = the parts of a colour must lie between 0 and 1; at profile point { $point }, { $parts }{ $others ->
     [0] {""}
     [one] , and { $others } more colour is out of range

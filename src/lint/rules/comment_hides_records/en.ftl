@@ -5,5 +5,5 @@ W315 = this comment hides { $count ->
     .label = the comment begins here
     .first = this would be a record
     .end = the comment ends here
-    .help = close the comment with `#` on its own line; what is not wanted any more is better removed
+    .help = close the comment with `#` on its own line, or remove the records if they are no longer wanted
     .fix = put each of the two lines into a comment of its own

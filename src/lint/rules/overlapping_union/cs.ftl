@@ -1,5 +1,5 @@
 W307 = ve sjednocení { $id } se překrývají { $one } { $one-id } a { $two } { $two-id } s různými optickými vlastnostmi: bod ({ $x }; { $y }; { $z }) leží v obou
-    .label = co leží v obou, patří prvnímu operandu
+    .label = v překryvu platí vlastnosti prvního operandu
     .first = { $one }
     .second = { $two }
     .note = uvnitř prvního operandu není povrch druhého vidět: obrázek závisí na pořadí operandů

@@ -1,5 +1,5 @@
 W307 = in the union { $id }, the { $one } { $one-id } and the { $two } { $two-id } overlap, and they are of different media: ({ $x }, { $y }, { $z }) is in both
-    .label = the first operand owns what both hold
+    .label = where both overlap, the properties of the first operand count
     .first = the { $one }
     .second = the { $two }
     .note = the surface of the second one is not seen where the first one is: the picture depends on the order of the operands
@@ -11,7 +11,7 @@ W307-open = in the union { $id }, the { $one } { $one-id } and the { $two } { $t
     .label = { W307.label }
     .first = { W307.first }
     .second = { W307.second }
-    .note = the cut face looks like the first one where both are: the picture depends on the order of the operands
+    .note = where both overlap, the cut face looks like the first operand: the picture depends on the order of the operands
     .help = { W307.help }
     .fix-radius = { W307.fix-radius }
     .fix-move = { W307.fix-move }

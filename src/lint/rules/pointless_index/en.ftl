@@ -1,6 +1,6 @@
 W318 = this refractive index has no effect: no light goes through the { $object } { $object-id }
     .label = kt is 0 wherever this index counts
-    .help = light is refracted where a part of it is transmitted: give it an optical property with kt > 0, such as `{ $object-id } -201 0 0.1 0.9`
+    .help = light is refracted only where some of it is transmitted: give { $object-id } an optical property with kt > 0, such as `{ $object-id } -201 0 0.1 0.9`
 W318-other = { W318 }
     .label = { W318.label }
     .help = { $other-id } lets light through and has no index

@@ -1,7 +1,7 @@
 W312 = the box of the render record cuts the scene: the { $type } { $id } reaches out of it at ({ $x }, { $y }, { $z })
     .label = what lies outside of this box is invisible
     .shape = this reaches out of it
-    .note = the cut is not closed: one looks into the object
+    .note = the cut leaves an opening: the inside of the object is visible
     .help = make the box larger, or say that the cut is meant: `# zpg: allow(W312) #`
 W312-outside = nothing will be seen: all of the object { $id } lies outside of the box of the render record, its { $axis } is { $where ->
         [above] at least

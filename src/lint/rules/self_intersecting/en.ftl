@@ -9,10 +9,10 @@ W320 = the profile of the { $type } { $id } crosses itself near x = { $x }, y = 
         [end] the disc that closes the last point
        *[piece] the piece from point { $two-from } to { $two-to }
     }
-    .note = what the profile goes around twice is outside, by the even-odd rule: a hollow within
+    .note = by the even-odd rule, what the profile goes around twice is outside: the object is hollow there
     .help = are two points of the profile in the wrong order?
 W320-torus = the torus { $id } runs through itself: its tube (r = { $tube }) is wider than its ring (R = { $ring })
     .label = r, the radius of the tube
     .ring = R, from the axis to the middle of the tube
-    .note = where the tube overlaps itself, a lemon around the axis, is outside: a hollow within
+    .note = where the tube overlaps itself, a lemon around the axis, is outside: the torus is hollow there
     .fix = swap R and r

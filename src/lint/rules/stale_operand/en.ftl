@@ -3,7 +3,7 @@ W309 = this { $change } of { $id } comes too late for the { $taker } { $taker-id
     [one] , and so does { $more } more change
    *[other] , and so do { $more } more changes
 }
-    .label = this reaches nothing that is used
+    .label = this changes nothing that is used
     .taken = { $id } is taken here
     .note = an operation takes its operands as they are at that point
     .help = move this in front of the { $taker }, or change { $taker-id } in place of { $id }

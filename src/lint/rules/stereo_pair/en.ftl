@@ -1,12 +1,12 @@
-W338 = both eyes of the stereo picture are the camera { $id }
+W338 = the stereo picture uses the camera { $id } for both eyes
     .label = the two pictures are the same
     .help = name a second camera, some distance to the right of the first
     .fix = write { $number }
-W338-same = the cameras { $left } and { $right } of the stereo picture have one place and one direction
+W338-same = the cameras { $left } and { $right } of the stereo picture have the same place and direction
     .label = the two pictures show no depth
     .help = put the right camera some distance to the right of the left one
 W338-swapped = the eyes are swapped: the camera { $left } of the left eye is to the right of { $right }
-    .label = near becomes far
+    .label = what is near looks far
     .help = name the left camera first
     .fix = write { $number }
 W338-overridden = the pair of cameras { $id } has no effect: { $other } selects one camera, and the last selection counts

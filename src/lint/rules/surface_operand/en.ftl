@@ -4,7 +4,7 @@ W313 = the { $operand } { $operand-id } { $what ->
 } the intersection { $id } keeps only the part of that surface inside the { $other } { $other-id }
     .label = this operand
     .surface = the { $shape } { $shape-id } is a surface: it has no inside
-    .help = operations are made for solids: a half-space (type 4) has the inside that a plane (type 3) lacks, a thin box that of a rectangle
+    .help = operations need solids: use a half-space (type 4) instead of a plane (type 3), or a thin box instead of a rectangle
 W313-outside = the { $operand } { $operand-id } { $what ->
     [whole] is a surface with no inside:
    *[part] has a surface with no inside in it:

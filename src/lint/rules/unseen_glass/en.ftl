@@ -1,22 +1,22 @@
-W337 = nothing of the { $object } { $object-id } can be seen: it lets all light through and does not bend it
+W337 = the { $object } { $object-id } is invisible: it lets all light through and does not bend it
     .label = no light is reflected here, and none is lost
     .help = glass has a refractive index: `{ $line }`
     .fix = give it the refractive index of glass
-W337-several = nothing of { $count ->
-    [one] one object
-   *[other] { $count } objects
-} can be seen: all light goes through and is not bent
+W337-several = { $count ->
+    [one] one object is invisible: it lets all light through and does not bend it
+   *[other] { $count } objects are invisible: they let all light through and do not bend it
+}
     .label = the first of them: no light is reflected here, and none is lost
     .help = { W337.help }
     .fix = give all of them the refractive index of glass
-W337-called = by its comment the { $object } { $object-id } is glass, water or diamond, but it does not bend light
+W337-called = the comment calls the { $object } { $object-id } glass, water or diamond, but it does not bend light
     .label = no refractive index goes with this
     .help = without a record -203 the refractive index is 1
     .fix = give it a refractive index: `{ $line }`
-W337-called-several = by their comments { $count ->
-    [one] one object is
-   *[other] { $count } objects are
-} glass, water or diamond, but they do not bend light
+W337-called-several = comments call { $count ->
+    [one] one object glass, water or diamond, but it does not bend light
+   *[other] { $count } objects glass, water or diamond, but they do not bend light
+}
     .label = the first of them: no refractive index goes with this
     .help = { W337-called.help }
     .fix = give all of them a refractive index, as in `{ $line }`
