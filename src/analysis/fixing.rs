@@ -18,6 +18,9 @@ use crate::syntax::{preserved, recognise};
 const REFUSED_BYTES: usize = 16_000_000;
 const REFUSED: Range<usize> = 16..1000;
 
+/// The fewest new lines of a guess that is tried to do without. A part of two optics and a moved record have fewer.
+const LONG_GUESS_LINES: usize = 3;
+
 /// A scene after its fixes were applied.
 pub struct Mended {
     pub analysis: Analysis,
@@ -254,9 +257,12 @@ fn step(
         }
     }
     let mut best = best?;
-    // A guess that writes new records is dropped where the other fixes leave as little to be said.
-    let is_needless = |fix: &Fix| is_guess(fix) && fix.edits.iter().any(|e| e.text.contains('\n'));
-    for i in (0..all.len()).filter(|&i| is_needless(&all[i])) {
+    // A guess that writes an operation anew is dropped where the other fixes leave as little to be said.
+    let is_long = |fix: &Fix| {
+        let lines = fix.edits.iter().map(|e| e.text.matches('\n').count());
+        is_guess(fix) && lines.sum::<usize>() >= LONG_GUESS_LINES
+    };
+    for i in (0..all.len()).filter(|&i| is_long(&all[i])) {
         if *left == 0 || !chosen[i] || chosen.iter().filter(|c| **c).count() < 2 {
             continue;
         }

@@ -49,8 +49,8 @@ fn bounds_out_of_order_by_one_number() {
     let (_, made) = guessed(&bare, Code::E202);
     assert_eq!(made, meant.map(|m| of(m.trim_end_matches(" # cube #"))));
     // Otherwise the swap comes first.
-    let (_, made) = guessed(&bare.replace("1.4", "1.3"), Code::E202);
-    assert_eq!(made[0], of("20 12 1.5 0 -0.1 2.9 1.3 1.5"));
+    let (_, made) = guessed(&bare.replace("2.9 1.4", "2.7 1.3"), Code::E202);
+    assert_eq!(made[0], of("20 12 1.5 0 -0.1 2.7 1.3 1.5"));
     // A number that begins with a zero is the likelier slip.
     let text = of("20 12 015 0 -1.5 2.9 1.4 -0.1");
     let (finding, made) = guessed(&text, Code::E202);

@@ -172,7 +172,8 @@ pub(super) fn operation(said: &[String]) -> Option<&'static RecordType> {
         };
         Some(RecordType::of(kind))
     };
-    let behind = usize::from(ARTICLES.contains(&said.first()?.as_str()));
+    let is_article = |w: &&String| ARTICLES.contains(&w.as_str());
+    let behind = said.iter().take_while(is_article).count();
     let first = named(said.get(behind)?)?;
     let mut others = said[behind + 1..].iter().filter_map(named);
     others.next().is_none().then_some(first)
