@@ -2,7 +2,7 @@
 
 /// Words that lead to record types, without accents and in lower case, like those of [`words`](crate::syntax::words).
 /// They are not proposed as types for the words of a scene.
-pub(super) const WORDS: [(&str, &[i32]); 84] = [
+pub(super) const WORDS: [(&str, &[i32]); 91] = [
     ("indexofrefraction", &[-203]),
     ("krabice", &[12]),
     ("hole", &[-103]),
@@ -45,6 +45,13 @@ pub(super) const WORDS: [(&str, &[i32]); 84] = [
     ("specular", &[-201]),
     ("gloss", &[-201]),
     ("lesk", &[-201]),
+    ("roughness", &[-201]),
+    ("rough", &[-201]),
+    ("shininess", &[-201]),
+    ("shiny", &[-201]),
+    ("drsnost", &[-201]),
+    ("drsny", &[-201]),
+    ("leskly", &[-201]),
     ("fog", &[-201, 5]),
     ("mlha", &[-201, 5]),
     ("haze", &[-201, 5]),
