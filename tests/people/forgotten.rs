@@ -454,3 +454,15 @@ fn glass_that_is_not_assigned_has_one_cure() {
     let (text, _) = fixed(&scene(dull, 4));
     assert!(!text.contains("3 -299"), "{text}");
 }
+
+/// An operand that the other one holds already gives way to the only unused object.
+#[test]
+fn an_operand_that_is_named_in_the_other_one() {
+    let text = |operands: &str| {
+        let shapes = "2 11 -3 1 0 1\n3 11 0 1 0 1\n5 11 3 1 0 1\n6 -101 2 3\n";
+        scene(&format!("{shapes}7 -101 {operands}"), 7)
+    };
+    for (written, meant) in [("6 3", "6 5"), ("3 6", "5 6"), ("6 6", "6 5")] {
+        assert_eq!(fixed(&text(written)).0, text(meant), "{written}");
+    }
+}

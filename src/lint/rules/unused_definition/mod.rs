@@ -111,6 +111,13 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         out[at].values.extend(fix.values.iter().cloned());
         out[at].fixes.push(fix);
     }
+    if let [(at, object)] = objects[..]
+        && out[at].fixes.is_empty()
+    {
+        out[at]
+            .fixes
+            .extend(part::for_one_named_twice(context, object));
+    }
     if let [(at, object)] = wholes[..] {
         out[at].fixes.extend(whole::drawn(context, object));
     }
