@@ -6,7 +6,7 @@ use zpg::internals::analysis::{Analysis, repair};
 use zpg::internals::diagnostics::{Code, Diagnostic, fixes};
 
 use super::rules::{SCENE, with};
-use super::{fixed, read};
+use super::{fixed, guessed, read};
 
 /// What the first fix of the first finding with a code makes of a text.
 #[track_caller]
@@ -511,5 +511,17 @@ fn a_picture_beside_the_scene() {
         let (fixed, _) = fixes::apply(&text, finding.fixes.first().into_iter());
         let meant = meant.map_or(text, |meant| with(3, &line(meant)));
         assert_eq!(fixed, meant, "{written}");
+    }
+}
+
+/// Separators between the records of a line go with the line.
+#[test]
+fn records_that_separators_divide() {
+    for separator in [";", ","] {
+        let written =
+            format!("2 11 -2.5 1 0 1{separator} 3 11 0 1 0 1{separator}\n4 -101 2 3\n1 9999 4 0\n");
+        let (_, made) = guessed(&written, Code::S503);
+        let meant = "2 11 -2.5 1 0 1\n3 11 0 1 0 1\n4 -101 2 3\n1 9999 4 0\n";
+        assert_eq!(made, [meant]);
     }
 }
