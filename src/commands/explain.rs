@@ -199,7 +199,7 @@ fn exact_page(topic: String, language: Language) -> Option<String> {
     if let Ok(number) = topic.parse::<i64>() {
         return Some(type_page(RecordType::by_code(number)?, language));
     }
-    let is_named = |t: &&RecordType| names(t).any(|name| normalise(&name) == topic);
+    let is_named = |t: &&RecordType| names(t).any(|name| plain(&name) == plain(&topic));
     let about = Topic::of(&topic);
     if let Some(ty) = RECORD_TYPES.iter().find(is_named) {
         let mut page = type_page(ty, language);
