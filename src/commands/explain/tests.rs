@@ -115,6 +115,40 @@ fn terms_of_the_glossary_have_pages() {
     assert!(ray.contains("`zpg probe --help`"), "{ray}");
 }
 
+/// The numbers of a colour, and the record that has them.
+#[test]
+fn names_of_colours_have_numbers() {
+    for (word, numbers) in [
+        ("červená", "1 0 0"),
+        ("cervena", "1 0 0"),
+        ("blue", "0 0 1"),
+    ] {
+        for language in [Language::English, Language::Czech] {
+            let page = page(word, language).expect(word);
+            assert!(page.contains(&format!("`ID -701 {numbers}`")), "{page}");
+        }
+    }
+}
+
+/// A code may lack its zeros. Words of other programs lead to what zpg says of it.
+#[test]
+fn codes_may_be_short() {
+    for (topic, code) in [
+        ("e3", Code::E003),
+        ("E8", Code::E008),
+        ("overlap", Code::W307),
+    ] {
+        let Some(Answer::Page(page)) = Answer::of(topic, Language::Czech) else {
+            panic!("{topic}");
+        };
+        assert_eq!(page, code_page(code, Language::Czech));
+    }
+    assert!(matches!(
+        Answer::of("e1", Language::Czech),
+        Some(Answer::Codes(_))
+    ));
+}
+
 /// Topics have pages of their own, which begin with the word and show a scene that does it.
 #[test]
 fn topics_have_scenes() {
