@@ -10,9 +10,10 @@ use crate::diagnostics::layout::hanging;
 use crate::diagnostics::{Code, Complaint, Language};
 use crate::features::pages::{code_page, type_page};
 use crate::lint::levels::Selector;
-use crate::syntax::quote;
+use crate::lint::spelling::linear_part;
 use crate::syntax::table::{RECORD_TYPES, RecordKind, RecordType};
 use crate::syntax::words::{other_endings, plain};
+use crate::syntax::{colour_names, quote};
 
 /// Explain a finding or a record type
 #[derive(Debug, clap::Args)]
@@ -81,6 +82,10 @@ impl Answer {
         group(topic)
             .map(Answer::Codes)
             .or_else(|| page(topic, language).map(Answer::Page))
+            .or_else(|| {
+                let code = topics::code(topic)?;
+                Some(Answer::Page(code_page(code, language)))
+            })
     }
 
     fn text(&self, form: PageStyle, language: Language) -> String {
@@ -199,7 +204,7 @@ fn exact_page(topic: String, language: Language) -> Option<String> {
     if let Ok(number) = topic.parse::<i64>() {
         return Some(type_page(RecordType::by_code(number)?, language));
     }
-    let is_named = |t: &&RecordType| names(t).any(|name| normalise(&name) == topic);
+    let is_named = |t: &&RecordType| names(t).any(|name| plain(&name) == plain(&topic));
     let about = Topic::of(&topic);
     if let Some(ty) = RECORD_TYPES.iter().find(is_named) {
         let mut page = type_page(ty, language);
@@ -231,7 +236,7 @@ fn exact_page(topic: String, language: Language) -> Option<String> {
         return Some(format!("# {heading}\n\n{text}\n{also}"));
     }
     let Some((ty, others)) = types.split_first() else {
-        let help = topics::help(&topic, language)?;
+        let help = topics::help(&topic, language).or_else(|| colour(&topic, language))?;
         return Some(format!("# {word}\n\n{help}\n"));
     };
     let page = type_page(ty, language);
@@ -241,6 +246,19 @@ fn exact_page(topic: String, language: Language) -> Option<String> {
         true => page,
         false => format!("{}\n\n{}\n", page.trim_end(), list(others)),
     })
+}
+
+/// The numbers of a colour with that name, and the record that has them.
+fn colour(name: &str, language: Language) -> Option<String> {
+    let numbers = colour_names::exact(name)?.map(linear_part).join(" ");
+    let ty = RecordType::of(RecordKind::Colour);
+    let record = quote(&format!("ID {} {numbers}", ty.code));
+    let values = [
+        ("number", quote(&numbers).into()),
+        ("text", record.into()),
+        ("code", ty.code.to_string().into()),
+    ];
+    Some(language.say("explain-colour", &values))
 }
 
 /// The names of a record type, in any language.

@@ -3,8 +3,8 @@
 
 mod tables;
 
-use self::tables::{COMMANDS, WORDS};
-use crate::diagnostics::Language;
+use self::tables::{CODES, COMMANDS, WORDS};
+use crate::diagnostics::{Code, Language};
 use crate::syntax::table::{RECORD_TYPES, RecordType};
 use crate::syntax::words::{self, plain};
 
@@ -28,7 +28,7 @@ macro_rules! texts {
     };
 }
 
-pub(super) const TOPICS: [Topic; 15] = [
+pub(super) const TOPICS: [Topic; 17] = [
     Topic {
         titles: ["glass", "sklo"],
         words: &[
@@ -149,13 +149,6 @@ pub(super) const TOPICS: [Topic; 15] = [
             "radian",
             "radians",
             "radiany",
-            "decimal",
-            "decimalcomma",
-            "decimalpoint",
-            "comma",
-            "desetinnacarka",
-            "desetinnatecka",
-            "carka",
             "coordinatesystem",
             "coordinates",
             "handedness",
@@ -216,6 +209,40 @@ pub(super) const TOPICS: [Topic; 15] = [
         ],
         texts: texts!("other-lights"),
     },
+    Topic {
+        titles: ["decimal point", "desetinná tečka"],
+        words: &[
+            "decimal",
+            "decimalcomma",
+            "comma",
+            "desetinnacarka",
+            "carka",
+        ],
+        texts: texts!("decimal-point"),
+    },
+    Topic {
+        titles: ["variables", "proměnné"],
+        words: &[
+            "variable",
+            "promenna",
+            "constant",
+            "konstanta",
+            "include",
+            "import",
+            "declare",
+            "define",
+            "macro",
+            "macros",
+            "makro",
+            "makra",
+            "loop",
+            "cyklus",
+            "while",
+            "function",
+            "funkce",
+        ],
+        texts: texts!("variables"),
+    },
 ];
 
 /// The sentence that says which `--help` explains a word of the command line; `None` if no help does.
@@ -233,6 +260,17 @@ pub(super) fn help(word: &str, language: Language) -> Option<String> {
     };
     let values = [("text", text.into()), ("option", option.into())];
     Some(language.say(message, &values))
+}
+
+/// The finding that a word asks for. A code may lack its zeros: `e3` is `E003`.
+pub(super) fn code(word: &str) -> Option<Code> {
+    let word = plain(word);
+    let coded = CODES
+        .iter()
+        .find(|(_, words)| words.contains(&word.as_str()));
+    let number = || word.get(1..)?.parse::<u16>().ok();
+    let padded = || Code::parse(&format!("{}{:03}", word.get(..1)?, number()?));
+    coded.map(|(code, _)| *code).or_else(padded)
 }
 
 /// The record types that a word may stand for, the likeliest first.
@@ -318,6 +356,8 @@ mod tests {
             None,
             None,
             Some(Effect::Shadows),
+            None,
+            None,
         ]) {
             let mut scenes = Vec::new();
             for language in [Language::English, Language::Czech] {
@@ -348,8 +388,12 @@ mod tests {
         for (word, title) in [
             ("size", "units"),
             ("stupně", "units"),
-            ("desetinná čárka", "units"),
-            ("decimal comma", "units"),
+            ("desetinná čárka", "decimal point"),
+            ("decimal comma", "decimal point"),
+            ("include", "variables"),
+            ("declare", "variables"),
+            ("macro", "variables"),
+            ("proměnná", "variables"),
             ("rozměry", "units"),
             ("ID", "order"),
             ("pořadí", "order"),
@@ -385,6 +429,8 @@ mod tests {
             ("prstenec", 14),
             ("wall", 12),
             ("zeď", 12),
+            ("gradient", 2),
+            ("clipped_by", -102),
         ] {
             assert_eq!(types(word)[0].code, code, "{word}");
         }

@@ -138,13 +138,18 @@ fn by_size(p: &Params, n: usize) -> Vec<Fix> {
     let is_cube = n == 3 && p.is_called(&EQUAL);
     let all_equal = |x: &dyn Fn(usize) -> f64| (1..n).all(|i| near(x(i), x(0)));
     let upper = |i: usize| p.number(i + n);
-    let is_symmetric = |i: usize| p.number(i) == -p.number(i + n);
+    // One distance may be symmetric by chance; a comment that gives the edge leaves no doubt.
+    let symmetric = (0..n).filter(|&i| p.number(i) == -p.number(i + n)).count();
+    let is_edge = || p.comments().flat_map(numbers).any(|x| near(x, upper(0)));
     let is_meant = match said {
         Some(said) => {
             (0..n).all(|i| near(said[i], upper(i))) && !(0..n).all(|i| near(said[i], edge(i)))
         }
         // The comment speaks of a cube, but the edges differ.
-        None => is_cube && all_equal(&upper) && !all_equal(&edge) && !(0..n).any(is_symmetric),
+        None => {
+            let is_cube = is_cube && all_equal(&upper) && !all_equal(&edge);
+            is_cube && (symmetric <= 1 || is_edge())
+        }
     };
     let mut fixes = match is_meant {
         true => readings(p, 0, n).fixes,

@@ -421,3 +421,48 @@ fn the_other_half_of_a_material() {
         assert_eq!(fixed(&text), (with("21 -201 0.1 0.1 0.8"), 1));
     }
 }
+
+/// Unused glass goes to the object that has an index and no optics, and nothing else is said of it.
+#[test]
+fn glass_that_is_not_assigned_has_one_cure() {
+    for said in [" # skleněná koule #", " # glass ball #", ""] {
+        let text = |assigned: &str| {
+            let glass = format!("35 -201 0.1 0 0.85\n3 11 0 1 0 1{said}\n{assigned}");
+            scene(&(glass + "3 -203 1.5 1.5 1.5"), 3)
+        };
+        let written = text("");
+        let found = findings(&written);
+        let codes: Vec<Code> = found.iter().map(|d| d.code).collect();
+        match said {
+            "" => assert_eq!(codes, [Code::W310]),
+            _ => assert_eq!(codes, [Code::W310, Code::W342]),
+        }
+        for d in &found {
+            let first = fixes::apply(&written, [&d.fixes[0]].into_iter()).0;
+            assert_eq!(first, text("3 -299 0 35\n"), "{d:?}");
+        }
+        assert_eq!(fixed(&written), (text("3 -299 0 35\n"), 1));
+    }
+    // What is there is not proposed once more.
+    let ball = scene("3 11 0 1 0 1 # glass ball #\n3 -203 1.5 1.5 1.5", 3);
+    let finding = only(&ball);
+    assert_eq!(finding.code, Code::W342);
+    let made = fixes::apply(&ball, finding.fixes.iter()).0;
+    assert!(made.contains("3 -201 0.05 0.1 0.85\n3 -203"), "{made}");
+    // Optics that let no light through do not go with an index.
+    let dull = "35 -201 0.6 0.4 0\n2 11 3 1 0 1\n3 11 0 1 0 1\n3 -203 1.5 1.5 1.5\n4 -101 2 3";
+    let (text, _) = fixed(&scene(dull, 4));
+    assert!(!text.contains("3 -299"), "{text}");
+}
+
+/// An operand that the other one holds already gives way to the only unused object.
+#[test]
+fn an_operand_that_is_named_in_the_other_one() {
+    let text = |operands: &str| {
+        let shapes = "2 11 -3 1 0 1\n3 11 0 1 0 1\n5 11 3 1 0 1\n6 -101 2 3\n";
+        scene(&format!("{shapes}7 -101 {operands}"), 7)
+    };
+    for (written, meant) in [("6 3", "6 5"), ("3 6", "5 6"), ("6 6", "6 5")] {
+        assert_eq!(fixed(&text(written)).0, text(meant), "{written}");
+    }
+}

@@ -3,10 +3,10 @@
 use std::fs;
 
 use zpg::internals::analysis::{Analysis, repair};
-use zpg::internals::diagnostics::{Code, Diagnostic, fixes};
+use zpg::internals::diagnostics::{Applicability, Code, Diagnostic, fixes};
 
 use super::rules::{SCENE, with};
-use super::{fixed, read};
+use super::{fixed, guessed, read};
 
 /// What the first fix of the first finding with a code makes of a text.
 #[track_caller]
@@ -511,5 +511,32 @@ fn a_picture_beside_the_scene() {
         let (fixed, _) = fixes::apply(&text, finding.fixes.first().into_iter());
         let meant = meant.map_or(text, |meant| with(3, &line(meant)));
         assert_eq!(fixed, meant, "{written}");
+    }
+}
+
+/// Numbers up to 255 may also be plain shares.
+#[test]
+fn bytes_have_two_readings() {
+    let scene = |colour: &str| format!("2 11 0 1 0 1\n2 -701 {colour}\n1 9999 2 0\n");
+    let (finding, made) = guessed(&scene("50 100 230"), Code::W301);
+    // The sRGB curve of the three bytes; 50 / 255 = 0.19608, 100 / 255 = 0.39216, 230 / 255 = 0.90196.
+    let meant = ["0.032 0.127 0.79", "0.196 0.392 0.902"].map(scene);
+    assert_eq!(made, meant);
+    let kinds = finding.fixes.iter().map(|fix| fix.applicability);
+    assert_eq!(
+        Vec::from_iter(kinds),
+        [Applicability::Unsafe, Applicability::Choice]
+    );
+}
+
+/// Separators between the records of a line go with the line.
+#[test]
+fn records_that_separators_divide() {
+    for separator in [";", ","] {
+        let written =
+            format!("2 11 -2.5 1 0 1{separator} 3 11 0 1 0 1{separator}\n4 -101 2 3\n1 9999 4 0\n");
+        let (_, made) = guessed(&written, Code::S503);
+        let meant = "2 11 -2.5 1 0 1\n3 11 0 1 0 1\n4 -101 2 3\n1 9999 4 0\n";
+        assert_eq!(made, [meant]);
     }
 }

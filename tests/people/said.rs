@@ -164,6 +164,21 @@ fn a_box_by_its_edges() {
         let [corner, centre] = both(said);
         expect(Code::W341, &[(&written, &[&corner, &centre])]);
     }
+    // One distance is symmetric by chance.
+    for said in ["krychle", "cube", "krychle o hraně 2", "kostka s hranou 2"] {
+        let text = |numbers: &str| format!("2 12 {numbers} # {said} #");
+        let [corner, centre] = ["1 0 -2 3 2 0", "0 -1 -3 2 1 -1"].map(text);
+        // The centre comes first where the comment speaks of an edge.
+        let meant = match said.contains("hran") {
+            true => [&*centre, &corner],
+            false => [&*corner, &centre],
+        };
+        expect(Code::W341, &[(&text("1 0 -2 2 2 2"), &meant)]);
+    }
+    // Two are not, unless the comment gives the edge.
+    let text = |numbers: &str| format!("2 12 {numbers} # cube with edge 2 #");
+    let [corner, centre] = ["-2 0 -2 0 2 0", "-3 -1 -3 -1 1 -1"].map(text);
+    expect(Code::W341, &[(&text("-2 0 -2 2 2 2"), &[&centre, &corner])]);
     expect(
         Code::W341,
         &[(
@@ -174,6 +189,8 @@ fn a_box_by_its_edges() {
     for records in [
         "2 12 0 0 0 2 2 2 # cube 2 x 2 x 2 #",
         "2 12 -1 0 -1 1 1 1 # cube #",
+        "2 12 -1 0 -1 1 2 1 # cube with edge 2 #",
+        "2 12 -2 0 -2 2 2 2 # cube #",
         "2 12 0.2 0 -2.5 2 2 2 # box #",
         "2 12 0.2 0 -2.5 2 2 2 # 1.8 x 2 x 4.5 #",
     ] {

@@ -79,8 +79,18 @@ fn terms_of_the_glossary_have_pages() {
             continue;
         }
         for term in cells[1..3].iter().flat_map(|cell| cell.split(", ")) {
-            let is_found = page(term, Language::Czech).is_some();
-            assert!(is_found || group(term).is_some(), "{term}");
+            let found = page(term, Language::Czech);
+            assert!(found.is_some() || group(term).is_some(), "{term}");
+            let words = term.split(' ').map(plain);
+            let bare = page(&Vec::from_iter(words).join(" "), Language::Czech);
+            // A heading may repeat the word as it was typed.
+            let parts = |page: Option<String>| {
+                page.map(|page| {
+                    let (heading, rest) = page.split_once('\n').unwrap_or_default();
+                    (plain(heading), rest.to_owned())
+                })
+            };
+            assert_eq!(parts(bare), parts(found), "{term}");
             count += 1;
         }
     }
@@ -103,6 +113,40 @@ fn terms_of_the_glossary_have_pages() {
     }
     let ray = page("paprsek", Language::Czech).expect("a page");
     assert!(ray.contains("`zpg probe --help`"), "{ray}");
+}
+
+/// The numbers of a colour, and the record that has them.
+#[test]
+fn names_of_colours_have_numbers() {
+    for (word, numbers) in [
+        ("červená", "1 0 0"),
+        ("cervena", "1 0 0"),
+        ("blue", "0 0 1"),
+    ] {
+        for language in [Language::English, Language::Czech] {
+            let page = page(word, language).expect(word);
+            assert!(page.contains(&format!("`ID -701 {numbers}`")), "{page}");
+        }
+    }
+}
+
+/// A code may lack its zeros. Words of other programs lead to what zpg says of it.
+#[test]
+fn codes_may_be_short() {
+    for (topic, code) in [
+        ("e3", Code::E003),
+        ("E8", Code::E008),
+        ("overlap", Code::W307),
+    ] {
+        let Some(Answer::Page(page)) = Answer::of(topic, Language::Czech) else {
+            panic!("{topic}");
+        };
+        assert_eq!(page, code_page(code, Language::Czech));
+    }
+    assert!(matches!(
+        Answer::of("e1", Language::Czech),
+        Some(Answer::Codes(_))
+    ));
 }
 
 /// Topics have pages of their own, which begin with the word and show a scene that does it.

@@ -1,10 +1,15 @@
 //! The words that lead to types of records, and to commands.
 
+use crate::diagnostics::Code;
+
 /// Words that lead to record types, without accents and in lower case, like those of [`words`](crate::syntax::words).
 /// They are not proposed as types for the words of a scene.
-pub(super) const WORDS: [(&str, &[i32]); 91] = [
+pub(super) const WORDS: [(&str, &[i32]); 94] = [
     ("indexofrefraction", &[-203]),
     ("krabice", &[12]),
+    ("gradient", &[2, -301, -302]),
+    ("prechod", &[2, -301, -302]),
+    ("clippedby", &[-102, -103]),
     ("hole", &[-103]),
     ("dira", &[-103]),
     ("otvor", &[-103]),
@@ -95,6 +100,18 @@ pub(super) const WORDS: [(&str, &[i32]); 91] = [
     ("surface", &[3, 5, 6]),
     ("plocha", &[3, 5, 6]),
 ];
+
+/// Words that ask for a finding, without accents and in lower case.
+pub(super) const CODES: [(Code, &[&str]); 1] = [(
+    Code::W307,
+    &[
+        "overlap",
+        "overlaps",
+        "overlapping",
+        "prekryv",
+        "prekryvani",
+    ],
+)];
 
 /// Words of the command line, without accents and in lower case. Before them stands the command whose `--help` explains
 /// them, some with the option that does; an empty command is `zpg --help`.

@@ -500,6 +500,7 @@ lsp-id-taken = { $id } je již použito na řádku { $line }
 explain-in-a-scene = Ve scéně
 explain-also = Viz též: { $list }
 explain-help = Více řekne `{ $text }`.
+explain-colour = Ve scéně je tato barva { $number }: její lineární podíly červené, zelené a modré. Objektu ji dá záznam { $text }; více řekne `zpg explain { $code }`.
 explain-help-option = Více řekne `{ $text }` u `{ $option }`.
 lsp-no-uri = { $text } není URI
 lsp-no-command = zpg nemá příkaz { $text }

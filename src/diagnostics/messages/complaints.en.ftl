@@ -497,6 +497,7 @@ lsp-id-taken = { $id } is taken: it stands in line { $line }
 explain-in-a-scene = In a scene
 explain-also = See also: { $list }
 explain-help = `{ $text }` says more.
+explain-colour = In a scene this colour is { $number }: its linear shares of red, green and blue. The record { $text } gives it to an object; `zpg explain { $code }` says more.
 explain-help-option = `{ $text }` says more at `{ $option }`.
 lsp-no-uri = { $text } is not a URI
 lsp-no-command = zpg has no command { $text }

@@ -1,8 +1,8 @@
 //! W301: a colour with a part outside of 0 to 1.
 
-use crate::diagnostics::{Code, Diagnostic, Edit, Fix};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
-use crate::lint::spelling::{linear_part, rough};
+use crate::lint::spelling::{linear_part, rough, spelled};
 use crate::scene::record::Params;
 use crate::syntax::table::RecordKind;
 use crate::syntax::with_point;
@@ -86,7 +86,13 @@ fn finding(p: &Params, first: usize) -> Diagnostic {
             .fix(limited());
     }
     match scale(&values) {
-        Some(Scale::Bytes) => d.note("bytes").fix(linear()),
+        Some(Scale::Bytes) => {
+            let mut shares = scaled("shares", |x| {
+                spelled((x / BYTE_MAX * 1000.0).round() / 1000.0)
+            });
+            shares.applicability = Applicability::Choice;
+            d.note("bytes").fix(linear()).fix(shares)
+        }
         Some(Scale::PerCent) => {
             (d.fix(scaled("hundredths", |x| rough(x / PER_CENT_MAX)))).fix(linear())
         }

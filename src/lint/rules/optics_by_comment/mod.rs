@@ -1,12 +1,15 @@
 //! W342: an object that a comment calls a mirror or glass, with the optics (-201) of something else, or with none.
 
+use std::cell::LazyCell;
+
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::overridden_property::MAX_PROPOSED;
+use super::unused_definition;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
 use crate::scene::record::Params;
-use crate::syntax::table::{Family, Kind, RecordKind};
+use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
 use crate::syntax::words::{self, plain};
 use crate::syntax::{Record, quote};
 
@@ -134,6 +137,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let given = context.with_parts(gives_optics);
+    let assigned = LazyCell::new(|| unused_definition::assigned_optics(context));
+    let indices = context.records();
+    let indices = indices.filter(|r| r.kind == RecordKind::RefractiveIndex);
+    let indices: FxHashSet<u32> = indices.map(|r| r.id).collect();
     let mut proposed = 0;
     for &(record, look) in &called.looks {
         if let Some(only) = called.only(record.id) {
@@ -146,12 +153,17 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
                 Some(&[only]) => Some(context.record_params(only)),
                 _ => None,
             };
-            let mut d = none(context, record, colour.as_ref(), look);
+            let has_index = indices.contains(&record.id);
+            let mut d = none(context, record, colour.as_ref(), look, has_index);
             proposed += 1;
             if proposed <= MAX_PROPOSED
                 && let Some(fix) = called.given_to_another(context, record, look)
             {
                 d.fixes.insert(0, fix);
+            }
+            if let Some(assigned) = assigned.as_ref().filter(|a| a.id == record.id) {
+                let fix = assigned.fix.clone();
+                d.fixes.insert(0, fix.with("line", quote(&assigned.line)));
             }
             out.push(d);
         }
@@ -168,6 +180,20 @@ pub(super) fn with_other_optics(context: &Context) -> FxHashSet<u32> {
     };
     let others = looks.filter(|(record, look)| is_other(record, look).is_some());
     others.map(|(record, _)| record.id).collect()
+}
+
+/// The shapes that lack the optics that a comment claims.
+pub(super) fn without_optics(context: &Context) -> FxHashSet<u32> {
+    let called = Called::of(context);
+    if called.looks.is_empty() {
+        return FxHashSet::default();
+    }
+    let given = context.with_parts(gives_optics);
+    let lacking = called.looks.iter().filter(|(record, _)| {
+        let is_given = called.optics.contains_key(&record.id) || given.contains(&record.id);
+        record.ty().family == Family::Shape && !is_given
+    });
+    lacking.map(|(record, _)| record.id).collect()
 }
 
 /// Whether a comment calls what a record defines a mirror or glass.
@@ -233,7 +259,13 @@ fn other(p: &Params, look: &Look) -> Option<Diagnostic> {
 }
 
 /// The finding about a shape without optics.
-fn none(context: &Context, record: &Record, colour: Option<&Params>, look: &Look) -> Diagnostic {
+fn none(
+    context: &Context,
+    record: &Record,
+    colour: Option<&Params>,
+    look: &Look,
+    has_index: bool,
+) -> Diagnostic {
     let span = context.document.span(record.first, record.last);
     let d = Diagnostic::new(Code::W342, span)
         .case(look.cases[1])
@@ -254,9 +286,12 @@ fn none(context: &Context, record: &Record, colour: Option<&Params>, look: &Look
         );
         fix.with("number", quote(code))
     });
+    let index = RecordType::of(RecordKind::RefractiveIndex).code.to_string();
+    let is_there = |line: &&&str| has_index && line.split(' ').next() == Some(&index);
     let lines: Vec<String> = look
         .lines
         .iter()
+        .filter(|line| !is_there(line))
         .map(|l| format!("{} {l}", record.id))
         .collect();
     let added = context.add_behind(span, "fix", Applicability::Choice, &lines);

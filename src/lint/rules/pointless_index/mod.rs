@@ -118,13 +118,16 @@ fn opaque(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut covers: Option<Covers> = None;
     let twice = super::overridden_property::with_two_optics(context);
     let told = super::overridden_property::with_lost_parts(context);
+    // W342 and W310 say what these lack.
+    let mut lacking = super::optics_by_comment::without_optics(context);
+    lacking.extend(super::unused_definition::assigned_optics(context).map(|a| a.id));
     for (span, object) in silent {
         let Some(p) = context.params(span) else {
             continue;
         };
         // An index below 1 has been reported already, and W334 reports optics that were written under another ID by a
         // slip.
-        if below_one(&p).is_some() || told == Some(p.id) {
+        if below_one(&p).is_some() || told == Some(p.id) || lacking.contains(&p.id) {
             continue;
         }
         let title = |id: u32| Value::Term(titles.get(&id).copied().unwrap_or("object"));

@@ -21,6 +21,14 @@ struct Line<'a> {
     broken: bool,
 }
 
+/// Characters that S501 reports where somebody separates records by them.
+const SEPARATORS: [char; 2] = [';', ','];
+
+/// Whether a character may stand between two records of a line.
+fn is_between(c: char) -> bool {
+    [' ', '\t'].contains(&c) || SEPARATORS.contains(&c)
+}
+
 /// The indices of the first tokens of records that may be meant as the place of the lamp before them.
 type Places = FxHashSet<u32>;
 
@@ -83,7 +91,7 @@ fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut
     edits.extend(line.more.iter().map(|item| {
         let start = context.document.item_span(item).start;
         let before = &text[..start as usize];
-        let blank = before.trim_end_matches([' ', '\t']).len() as u32;
+        let blank = before.trim_end_matches(is_between).len() as u32;
         Edit {
             span: Span::new(blank, start),
             text: "\n".to_owned(),
@@ -92,6 +100,15 @@ fn report(context: &Context, line: &Line, ends: bool, places: &Places, out: &mut
     // If another record follows the last one, the report of that record's line joins the last one.
     if let Some(last) = line.more.last().filter(|_| ends) {
         edits.extend(joined(context, last));
+        let end = context.document.item_span(last).end;
+        let behind = &text[end as usize..];
+        let separators = behind.len() - behind.trim_start_matches(is_between).len();
+        if behind[..separators].contains(SEPARATORS) {
+            edits.push(Edit {
+                span: Span::new(end, end + separators as u32),
+                text: String::new(),
+            });
+        }
     }
     let fix = Fix {
         title: "fix",

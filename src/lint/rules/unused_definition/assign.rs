@@ -10,24 +10,51 @@ use crate::syntax::lexer::TokenKind;
 use crate::syntax::quote;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
 
-/// The fix that assigns a property to the only shape without one of its kind. `None` if there are several, or if an
-/// operation has one.
+/// The name of the fix's phrase.
+pub(super) const TITLE: &str = "fix";
+
+/// Whether a record gives an object a refractive index that goes with a property: the property stands above, lets light
+/// through and has no index.
+pub(super) fn goes_with(context: &Context, property: &Entity) -> impl Fn(&Record) -> bool {
+    let is_index = |r: &Record| r.kind == RecordKind::RefractiveIndex;
+    let own = || context.records().filter(|r| r.id == property.id);
+    let lets_through = |r: &Record| {
+        let p = context.record_params(r);
+        r.ty().transmitted().any(|i| p.number(i) > 0.0)
+    };
+    let is_clear = property.kind == Some(Kind::Optics) && own().any(lets_through);
+    let lacks_index = is_clear && !own().any(is_index);
+    move |r| {
+        let start = context.document.id_token(r).start;
+        lacks_index && is_index(r) && start > property.span.start
+    }
+}
+
+/// The fix that assigns a property to the only shape without one of its kind, or to the only one of these with a
+/// refractive index. `None` if there are several, or if an operation has one.
 pub(super) fn to_the_only_one(context: &Context, property: &Entity) -> Option<Fix> {
     let kind = property.kind?;
-    let gives = |ty: &RecordType| match ty.effect {
-        Effect::DefinesOrChanges(own, _) => own == kind,
-        _ => ty.kind == RecordKind::Assignment,
+    let goes_with = goes_with(context, property);
+    let gives = |r: &Record| match r.ty().effect {
+        Effect::DefinesOrChanges(own, _) => own == kind && !goes_with(r),
+        _ => r.kind == RecordKind::Assignment,
     };
-    let given = context.records().filter(|r| gives(r.ty())).map(|r| r.id);
+    let given = context.records().filter(|r| gives(r)).map(|r| r.id);
     let given: FxHashSet<u32> = given.collect();
+    let indices = context.records().filter(|r| goes_with(r)).map(|r| r.id);
+    let indices: FxHashSet<u32> = indices.collect();
     // The properties of an operation are those of its operands, too.
-    let is_given = |r: &Record| given.contains(&r.id);
+    let is_given = |r: &Record| given.contains(&r.id) || indices.contains(&r.id);
     let of = |family| context.records().filter(move |r| r.ty().family == family);
     if of(Family::Operation).any(is_given) {
         return None;
     }
-    let mut objects = of(Family::Shape).filter(|r| !is_given(r));
-    let (object, None) = (objects.next()?, objects.next()) else {
+    let objects = of(Family::Shape).filter(|r| !given.contains(&r.id));
+    let mut objects: Vec<&Record> = objects.collect();
+    if objects.iter().any(|r| indices.contains(&r.id)) {
+        objects.retain(|r| indices.contains(&r.id));
+    }
+    let &[object] = &objects[..] else {
         return None;
     };
     let own = context.records().find(|r| {
@@ -55,6 +82,6 @@ pub(super) fn to_the_only_one(context: &Context, property: &Entity) -> Option<Fi
         _ => return None,
     };
     let at = Span::new(end, end);
-    let fix = Fix::replace("fix", Applicability::Unsafe, at, format!("\n{record}"));
+    let fix = Fix::replace(TITLE, Applicability::Unsafe, at, format!("\n{record}"));
     Some(fix.with("text", quote(&record)))
 }

@@ -12,6 +12,7 @@ W310-colour = { W310 }
 W310-object = { $type } { $id } není součástí toho, co se zobrazí
     .label = nic z toho, co se zobrazí, objekt nepoužívá
     .help = připojte objekt ke scéně sjednocením, nebo ho odstraňte
+    .fix-twice = uvést ho místo { $part }, který druhý operand už obsahuje: napsat { $text }
 W310-operand = { W310-object }
     .label = { W310-object.label }
     .help = uveďte ho místo jeho operandu { $part }, připojte ho ke scéně sjednocením, nebo ho odstraňte

@@ -12,6 +12,7 @@ W310-colour = { W310 }
 W310-object = the { $type } { $id } is not part of what is drawn
     .label = nothing that is drawn is made of it
     .help = join it to the scene with a union, or remove it
+    .fix-twice = name it in place of { $part }, which is in the other operand already: write { $text }
 W310-operand = { W310-object }
     .label = { W310-object.label }
     .help = name it in place of its operand { $part }, join it to the scene with a union, or remove it

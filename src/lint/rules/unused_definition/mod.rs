@@ -111,6 +111,13 @@ pub(crate) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         out[at].values.extend(fix.values.iter().cloned());
         out[at].fixes.push(fix);
     }
+    if let [(at, object)] = objects[..]
+        && out[at].fixes.is_empty()
+    {
+        out[at]
+            .fixes
+            .extend(part::for_one_named_twice(context, object));
+    }
     if let [(at, object)] = wholes[..] {
         out[at].fixes.extend(whole::drawn(context, object));
     }
@@ -128,6 +135,25 @@ fn name_checkerboard(context: &Context, colours: &[(usize, u32)], out: &mut [Dia
             phrase: "board",
         });
     }
+}
+
+/// The object that unused optics are to be assigned to, and the record that does it with its fix.
+pub(super) struct Assigned {
+    pub id: u32,
+    pub line: String,
+    pub fix: Fix,
+}
+
+/// The assignment of unused optics that a finding proposes. `None` if none does.
+pub(super) fn assigned_optics(context: &Context) -> Option<Assigned> {
+    let mut found = Vec::new();
+    check(context, &mut found);
+    let mut fixes = found.into_iter().flat_map(|d| d.fixes);
+    let fix = fixes.find(|fix| fix.title == assign::TITLE)?;
+    let line = fix.edits.first()?.text.trim().to_owned();
+    let mut numbers = line.split(' ');
+    let (id, texture) = (numbers.next()?.parse().ok()?, numbers.nth(1)?);
+    (texture == "0").then_some(Assigned { id, line, fix })
 }
 
 /// Whether a finding is about an object.

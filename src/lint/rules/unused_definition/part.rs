@@ -2,8 +2,8 @@
 
 use crate::diagnostics::{Applicability, Fix};
 use crate::lint::Context;
-use crate::scene::Entity;
 use crate::scene::names::references;
+use crate::scene::{Entity, Node, NodeId, Scene};
 use crate::syntax::table::{Family, RecordType};
 use crate::syntax::{Record, quote};
 
@@ -42,6 +42,58 @@ pub(super) fn in_its_place(context: &Context, unused: &Entity) -> Option<Fix> {
     let fix = fix.with("part", part.to_string());
     Some(fix.with("text", quote(&words.join(" "))))
 }
+
+/// The fix that makes a union below the unused object name it in place of an operand that the union's other operand
+/// holds already. `None` unless there is exactly one such union.
+pub(super) fn for_one_named_twice(context: &Context, unused: &Entity) -> Option<Fix> {
+    let scene = context.scene;
+    let below = |i: &usize| scene.origins[*i].span.start > unused.span.start;
+    let places = (0..scene.nodes.len()).filter(below).filter_map(|i| {
+        let Node::Union(a, b) = scene.nodes[i] else {
+            return None;
+        };
+        let at = [(b, a), (a, b)].map(|(part, whole)| part != whole && holds(scene, whole, part));
+        Some((i, at.iter().position(|held| *held)?))
+    });
+    let mut places = places.take(2);
+    let (Some((union, held)), None) = (places.next(), places.next()) else {
+        return None;
+    };
+    let p = context.params(scene.origins[union].span)?;
+    let (at, kept) = match held {
+        0 => (1, 0),
+        _ => (0, 1),
+    };
+    let own = unused.id.to_string();
+    let mut operands = [own.clone(), own.clone()];
+    operands[kept] = p.text_of(kept).to_owned();
+    let text = format!("{} {} {}", p.id, p.ty.code, operands.join(" "));
+    let fix = Fix::replace("fix-twice", Applicability::Unsafe, p.span_of(at, 1), own);
+    let fix = fix.with("part", p.text_of(at).to_owned());
+    Some(fix.with("text", quote(&text)))
+}
+
+/// Whether a node is one of those that a union joins, at any depth. The union's parts are looked at up to a limit.
+fn holds(scene: &Scene, union: NodeId, part: NodeId) -> bool {
+    let mut open = vec![union];
+    let mut left = MAX_PARTS;
+    while let Some(node) = open.pop() {
+        if node == part {
+            return true;
+        }
+        left -= 1;
+        if left == 0 {
+            return false;
+        }
+        if let Node::Union(a, b) = scene.nodes[node as usize] {
+            open.extend([a, b]);
+        }
+    }
+    false
+}
+
+/// Most parts of a union that are compared with an operand.
+const MAX_PARTS: usize = 20;
 
 /// Whether records of a type make an object of two others: no copy, no complement.
 fn joins(ty: &RecordType) -> bool {

@@ -51,9 +51,10 @@ pub(super) fn of_the_object_above(
     let kind = property.kind?;
     let document = context.document;
     let start = |r: &Record| document.id_token(r).start;
+    let goes_with = super::assign::goes_with(context, property);
     let gives = |r: &Record| match r.ty().effect {
         Effect::DefinesOrChanges(Kind::Texture | Kind::Colour, _) => kind != Kind::Optics,
-        Effect::DefinesOrChanges(Kind::Optics, _) => kind == Kind::Optics,
+        Effect::DefinesOrChanges(Kind::Optics, _) => kind == Kind::Optics && !goes_with(r),
         _ => r.kind == RecordKind::Assignment,
     };
     let (mut above, mut given) = (None, FxHashSet::default());
