@@ -183,9 +183,13 @@ impl LineContext<'_> {
         );
     }
 
-    /// Whether a comment on the line names the shape whose type a candidate puts in, and not the shape that the line is
-    /// if its ID is lost.
+    /// Whether the text tells that a candidate is meant: a comment on the line names the shape whose type the candidate
+    /// puts in, and not the shape that the line is if its ID is lost; or pairs with decimal commas are points.
     pub(in crate::analysis::repair) fn tells(&self, candidate: &Candidate) -> bool {
+        if candidate.habit == Habit::Doubled {
+            let points = self.points_with_commas();
+            return points.is_some_and(|p| p.fix.edits == candidate.fix.edits);
+        }
         let is_shape = |ty: &&RecordType| ty.family == Family::Shape;
         let lost = candidate.ty.filter(is_shape);
         let Some(lost) = lost.filter(|_| candidate.habit == Habit::NoType) else {
