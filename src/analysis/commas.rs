@@ -12,9 +12,13 @@ pub(super) fn join(source: &SourceFile, findings: &mut Vec<Diagnostic>) {
     for d in findings.iter().filter(|d| is_comma(d)) {
         lines.entry(line(d)).or_default().push(d.clone());
     }
-    lines.retain(|_, all| all.len() > 1);
-    if lines.is_empty() {
-        return;
+    for (&line, all) in &mut lines {
+        let text = &source.text[source.line_span(line).range()];
+        let numbers = all.iter().map(|d| &source.text[d.span.range()]);
+        if is_mixed(text, numbers) {
+            let fixes = all.iter_mut().flat_map(|d| &mut d.fixes);
+            fixes.for_each(|f| f.applicability = Applicability::Unsafe);
+        }
     }
     findings.retain_mut(|d| {
         if !is_comma(d) || !lines.contains_key(&line(d)) {
@@ -23,9 +27,24 @@ pub(super) fn join(source: &SourceFile, findings: &mut Vec<Diagnostic>) {
         let Some(all) = lines.get_mut(&line(d)).filter(|all| !all.is_empty()) else {
             return false;
         };
-        *d = joined(std::mem::take(all));
+        *d = match all.len() {
+            1 => all.swap_remove(0),
+            _ => joined(std::mem::take(all)),
+        };
         true
     });
+}
+
+/// Whether a line has semicolons, and commas between digits besides those of `numbers`, which have decimal commas. Its
+/// commas may separate numbers and its semicolons points, or the other way round.
+fn is_mixed<'a>(line: &str, numbers: impl Iterator<Item = &'a str>) -> bool {
+    let record = line.split('#').next().unwrap_or_default();
+    let commas = |text: &str| {
+        let three = text.as_bytes().windows(3);
+        let is_comma = |w: &&[u8]| w[1] == b',' && w[0].is_ascii_digit() && w[2].is_ascii_digit();
+        three.filter(is_comma).count()
+    };
+    record.contains(';') && commas(record) > numbers.map(commas).sum()
 }
 
 /// Joins several findings on a line into one.

@@ -428,3 +428,85 @@ fn the_radius_of_a_sphere_that_overlaps_two() {
     }
     assert_eq!(fixed(&written), written);
 }
+
+/// Shapes without their types, whose IDs are types: a comment names the shape, and other records use the ID. Each has the
+/// drawn ID, what is written, and what is meant.
+const LOST_TYPES: &[(u32, &str, &str)] = &[
+    (
+        3,
+        "3 0.5 0.8 1.5 0.8 # koule #\n3 -701 0.9 0.2 0.1",
+        "3 11 0.5 0.8 1.5 0.8",
+    ),
+    (3, "3 0.5 0.8 1.5 0.8 # koule #", "3 11 0.5 0.8 1.5 0.8"),
+    (
+        4,
+        "4 0.5 0.8 1.5 0.8 # skleněná koule #",
+        "4 11 0.5 0.8 1.5 0.8",
+    ),
+    (
+        4,
+        "4 0.5 0.8 1.5 0.8 # glass ball #\n4 -701 0.9 0.2 0.1",
+        "4 11 0.5 0.8 1.5 0.8",
+    ),
+    (
+        4,
+        "4 0 1 0 1 # a ball #\n4 -701 0.9 0.2 0.1",
+        "4 11 0 1 0 1",
+    ),
+    (
+        3,
+        "3 0.5 0.8 1.5 0.8\n3 -701 0.9 0.2 0.1",
+        "3 11 0.5 0.8 1.5 0.8",
+    ),
+    (
+        5,
+        "5 -1 0 -1 1 1.5 1 # modrý kvádr #\n5 -701 0 0 1",
+        "5 12 -1 0 -1 1 1.5 1",
+    ),
+    // The first number is a type, too.
+    (3, "3 1 1 0 1 # koule #", "3 11 1 1 0 1"),
+    (3, "3 2 1 0 1 # koule #", "3 11 2 1 0 1"),
+    (3, "3 1 2 0 1 # ball #", "3 11 1 2 0 1"),
+    (
+        3,
+        "3 12 1 0 1 # ball #\n3 -701 0.9 0.2 0.1",
+        "3 11 12 1 0 1",
+    ),
+    // The ID is lost.
+    (
+        7,
+        "3 0.5 0.8 1.5 0.8 # koule #\n3 -701 0.9 0.2 0.1",
+        "7 3 0.5 0.8 1.5 0.8",
+    ),
+    (
+        4,
+        "4 0 1 0 1 # rovina pod koulí #\n4 -701 0.9 0.2 0.1",
+        "4 4 0 1 0 1",
+    ),
+];
+
+#[test]
+fn a_shape_without_its_type_by_a_comment() {
+    for &(drawn, written, meant) in LOST_TYPES {
+        let text = scene(written).replace("9999 2", &format!("9999 {drawn}"));
+        let all = repair::proposals(&read(&text));
+        let error = all.iter().find(|d| d.is_error()).expect(written);
+        let made = fixes::apply(&text, error.fixes[..1].iter()).0;
+        let numbers = written.lines().next().unwrap_or_default();
+        let numbers = numbers.split(" #").next().unwrap_or_default();
+        assert_eq!(made, text.replacen(numbers, meant, 1), "{written}");
+        assert_eq!(
+            fixed(&text).lines().next(),
+            made.lines().next(),
+            "{written}"
+        );
+        let is_typeless = error.code == Code::E006 && error.case == "lost";
+        let is_lost = ["7 3", "4 4"].iter().any(|head| meant.starts_with(head));
+        assert_eq!(is_typeless, !is_lost, "{written}");
+    }
+    // A comment that names the profile, or nothing, leaves the number of points wrong.
+    for comment in ["", " # válec #", " # krychle #"] {
+        let (_, made) = guessed(&scene(&format!("2 1 1 0 1{comment}")), Code::E206);
+        assert!(made.is_empty(), "{comment}");
+    }
+}

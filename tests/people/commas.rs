@@ -64,3 +64,28 @@ fn numbers_are_kept_apart_only_where_the_comma_is_a_separator() {
         }
     }
 }
+
+/// Points of a profile as pairs, with decimal commas and a semicolon, a comma and a space, or a space between the
+/// numbers. A comma that is alone in a pair separates.
+#[test]
+fn points_with_decimal_commas() {
+    let meant = with(5, "5 1 4 0 0 0.5 0 0.5 1.2 0 1.2");
+    for points in [
+        "(0,0) (0,5;0) (0,5;1,2) (0;1,2)",
+        "(0,0) (0,5; 0) (0,5; 1,2) (0; 1,2)",
+        "(0,0), (0,5, 0), (0,5, 1,2), (0, 1,2)",
+        "[0,0] [0,5 0] [0,5 1,2] [0 1,2]",
+        "0,0 0,5;0 0,5;1,2 0;1,2",
+    ] {
+        let text = with(5, &format!("5 1 4 {points}"));
+        assert_eq!(fixed(&text, true), meant, "{points}");
+        // Without being asked nothing is written.
+        assert_eq!(fixed(&text, false), text, "{points}");
+    }
+    // All commas are decimal, which is certain.
+    let text = with(5, "5 1 2 0,5;0 0,5;1,2");
+    assert!(fixed(&text, false).contains("0.5"));
+    // A comment keeps its place.
+    let text = with(5, "5 1 2 (0,5;0) (1,1) # válec #");
+    assert!(fixed(&text, true).contains("5 1 2 0.5 0 1 1 # válec #"));
+}

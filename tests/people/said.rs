@@ -278,6 +278,18 @@ fn a_rotation_about_another_axis() {
         );
         assert!(!has(&scene(&text(2)), Code::W344), "{said}");
     }
+    // A vertical axis is y where that is up for the camera, and a comment says the axis where its number is none.
+    for said in ["okolo svislé osy", "about the vertical axis", "svislá osa"] {
+        let text = |axis: u32| format!("{BOX}\n2 -2 45 {axis} # {said} #");
+        expect(Code::W344, &[(&text(1), &[&text(2)])]);
+        expect(Code::E205, &[(&text(0), &[&text(2)])]);
+        let on_side = scene(&text(1)).replace("-1 0 1 0 40", "-1 0.5 1 0 40");
+        assert!(!has(&on_side, Code::W344), "{said}");
+    }
+    for said in ["otočit okolo osy x", "about x"] {
+        let text = |axis: u32| format!("{BOX}\n2 -2 45 {axis} # {said} #");
+        expect(Code::E205, &[(&text(0), &[&text(1)])]);
+    }
     for said in [
         "along the y axis",
         "about x, then y",

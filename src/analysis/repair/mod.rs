@@ -457,8 +457,11 @@ impl Engine<'_> {
                 false => (Left::default(), t),
             })
             .collect();
-        judged
-            .sort_by_key(|(left, t)| (left.in_vain, left.warnings, t.candidate.habit, left.notes));
+        judged.sort_by_key(|(left, t)| {
+            let (c, doubt) = (&t.candidate, (left.in_vain, left.warnings));
+            let (untold, own) = (!place.tells(c), place.puts_own_id(&finding, &c.fix));
+            (untold, doubt, own, c.habit, left.notes)
+        });
         if !finding.is_error() {
             let before = judge::left(&base);
             judged.retain(|(left, _)| *left < before);

@@ -45,7 +45,7 @@ pub(super) fn retell(finding: &mut Diagnostic, best: &[&Candidate], place: &Line
 }
 
 /// Whether a finding counts the numbers for another type than the line has, while the proposal keeps the type of the
-/// line.
+/// line, or counts points where the proposal reads other numbers.
 fn is_other(finding: &Diagnostic, first: &Candidate, place: &LineContext) -> bool {
     let is_count = matches!(finding.code, Code::E008 | Code::E009);
     let is_kept = first.ty.is_none() && matches!(first.habit, Habit::Doubled | Habit::Sibling);
@@ -53,5 +53,7 @@ fn is_other(finding: &Diagnostic, first: &Candidate, place: &LineContext) -> boo
     let own = place.ty().map(|ty| ty.title);
     let is_own =
         said.is_none_or(|(_, said)| matches!(said, Value::Term(said) if Some(*said) == own));
-    is_count && is_kept && !is_own
+    // The points that the finding counts are none if commas between their numbers are decimal.
+    let is_recounted = finding.case == "points" && first.habit == Habit::Doubled;
+    is_count && is_kept && !is_own || is_recounted
 }

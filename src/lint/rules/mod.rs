@@ -23,7 +23,7 @@ mod buried_shape;
 mod camera_in_solid;
 mod coincident_faces;
 pub(super) mod colour_out_of_range;
-mod comment_contradicts;
+pub(crate) mod comment_contradicts;
 mod comment_hides_records;
 mod degenerate_shape;
 mod duplicate_operand;

@@ -279,11 +279,13 @@ impl Reporter<'_, '_> {
             }
             TokenKind::HugeNumber => new(Code::E004),
             TokenKind::MalformedNumber => match repaired(text) {
-                Some(r) => new(Code::E003).with("number", quote(&r)).fix(write(
-                    Applicability::Unsafe,
-                    span,
-                    r,
-                )),
+                Some(r) => {
+                    let bare = text.strip_suffix(['°', 'º', '˚']);
+                    let is_angle = bare.is_some_and(|x| x.parse::<f64>().is_ok());
+                    let d = new(Code::E003).case(if is_angle { "degrees" } else { "" });
+                    let fix = write(Applicability::Unsafe, span, r.clone());
+                    d.with("number", quote(&r)).fix(fix)
+                }
                 None => new(Code::E003),
             },
             TokenKind::Word | TokenKind::Quoted => new(Code::E012),

@@ -3,7 +3,7 @@
 use super::types::is_slip;
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::colours;
-use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::syntax::LEAST_HEAD;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind, RecordType};
@@ -104,6 +104,10 @@ impl LineContext<'_> {
             ty.is_counted() && self.int(2) == Some(0) && self.params().len() == 2;
         let is_one = match finding.code {
             Code::E009 => ty.kind == RecordKind::Undefined && self.params().len() > 1,
+            Code::E005 => {
+                let is_own = finding.fixes.iter().any(|f| self.puts_own_id(finding, f));
+                ty.kind == RecordKind::Undefined && is_own
+            }
             Code::E206 | Code::E008 => is_empty_profile,
             _ => false,
         };
@@ -136,20 +140,22 @@ impl LineContext<'_> {
     }
 
     /// Guesses at the shape that a comment on the line names, where another type is written: `2 1 0 1 0 1 # ball #` for
-    /// `2 11 0 1 0 1`, and `2 17 -1.5 0.5 # cone #` for `2 16 -1.5 0.5`.
+    /// `2 11 0 1 0 1`, and `2 17 -1.5 0.5 # cone #` for `2 16 -1.5 0.5`. The type may also be missing: `2 1 1 0 1 # ball #`
+    /// for `2 11 1 1 0 1`.
     pub(super) fn called_shape(&self, finding: &Diagnostic, out: &mut Vec<Candidate>) {
         let is_shape = |ty: &&RecordType| ty.family == Family::Shape && self.id().is_some();
         let Some(own) = self.ty().filter(is_shape) else {
             return;
         };
         let is_own = |ty: &&RecordType| ty.code == own.code;
+        let is_whole = self.fits(own);
         let shapes = self.comment_words().into_iter().map(words::shapes);
         let called: Vec<_> = match finding.code {
             // Its numbers are as many, and no other name is a better one.
-            Code::E201 if self.fits(own) && !self.is_called(&DOUBLE) => {
+            Code::E201 if is_whole && !self.is_called(&DOUBLE) => {
                 shapes.filter_map(|of| of.first().copied()).collect()
             }
-            _ if self.fits(own) => return,
+            _ if is_whole => return,
             _ => {
                 let shapes: Vec<_> = shapes.collect();
                 if shapes.iter().flatten().any(is_own) || self.is_called(&PROFILES) {
@@ -161,15 +167,68 @@ impl LineContext<'_> {
         if called.iter().any(is_own) {
             return;
         }
-        let written = self.tokens[1].text(self.text);
-        let meant = called.into_iter().find(|ty| self.fits(ty));
-        out.extend(meant.map(|ty| {
+        let (head, written) = (&self.tokens[0], self.tokens[1].text(self.text));
+        if let Some(ty) = called.iter().find(|ty| self.fits(ty)) {
             let habit = match is_slip(written, &ty.code.to_string()) {
                 true => Habit::Digit,
                 false => Habit::Type,
             };
-            self.write_type(habit, ty)
-        }));
+            out.push(self.write_type(habit, ty));
+            return;
+        }
+        let lost = called.iter().find(|ty| self.fit(ty, &self.tokens[1..]));
+        out.extend(
+            lost.filter(|_| !is_whole)
+                .map(|ty| self.with_type(head, ty)),
+        );
+    }
+
+    /// Whether the text tells that a candidate is meant: a comment on the line names the shape whose type the candidate
+    /// puts in, and not the shape that the line is if its ID is lost; or pairs with decimal commas are points.
+    pub(in crate::analysis::repair) fn tells(&self, candidate: &Candidate) -> bool {
+        if candidate.habit == Habit::Doubled {
+            let points = self.points_with_commas();
+            return points.is_some_and(|p| p.fix.edits == candidate.fix.edits);
+        }
+        let is_shape = |ty: &&RecordType| ty.family == Family::Shape;
+        let lost = candidate.ty.filter(is_shape);
+        let Some(lost) = lost.filter(|_| candidate.habit == Habit::NoType) else {
+            return false;
+        };
+        let comments = self.all.iter().filter(|t| t.kind().is_comment());
+        if comments
+            .into_iter()
+            .any(|t| words::denies(t.text(self.text)))
+        {
+            return false;
+        }
+        let is_named = |code: i32| self.named_shapes().any(|ty| ty.code == code);
+        is_named(lost.code) && !self.names_shape_without_id()
+    }
+
+    /// The shapes that comments on the line name.
+    fn named_shapes(&self) -> impl Iterator<Item = &'static RecordType> {
+        self.comment_words().into_iter().flat_map(words::shapes)
+    }
+
+    /// Whether a comment on the line names the shape that the line is if its ID is lost.
+    fn names_shape_without_id(&self) -> bool {
+        let own = self.shape_without_id();
+        own.is_some_and(|own| self.named_shapes().any(|ty| ty.code == own.code))
+    }
+
+    /// Whether a fix for a record that seems to have lost its ID repeats the number in front: `4 4 0 1 0 1`. That number
+    /// is rather the ID, and the type is lost, unless a comment names the shape.
+    pub(in crate::analysis::repair) fn puts_own_id(&self, finding: &Diagnostic, fix: &Fix) -> bool {
+        let Some(head) = self.tokens.first() else {
+            return false;
+        };
+        let is_lost = finding.code == Code::E005 && finding.case == "lost";
+        let is_in_front = |e: &Edit| {
+            let is_same = e.text.trim() == head.text(self.text);
+            e.span.start == head.start && e.span.range().is_empty() && is_same
+        };
+        is_lost && fix.edits.iter().any(is_in_front) && !self.names_shape_without_id()
     }
 
     /// Guesses at a record whose type stands behind its numbers: `50 0.8 -402`.

@@ -289,6 +289,7 @@ impl<'a> LineContext<'a> {
             }
             self.profile(&mut out);
             self.axis(&mut out);
+            out.extend(self.called_axis(finding));
             self.comments(&mut out);
             self.with_slashes(finding, undefined, taken, &mut out);
             self.signs(&mut out);

@@ -1,5 +1,6 @@
 //! Profiles: their number of points, points in space, and one colour for all points.
 
+use super::numbers::COMMA_TITLE;
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Diagnostic, Edit, Fix, Span, Value};
 use crate::syntax::lexer::Token;
@@ -13,6 +14,40 @@ const PARTS: usize = 3;
 /// The fewest points whose third coordinates show by zeros alone that they are points in space. Two such points have as
 /// many numbers as three of a profile, so there only spaces or brackets tell.
 const TOLD_BY_ZEROS_MIN: usize = 3;
+
+/// Brackets around a point.
+const OPENING: [char; 4] = ['(', '[', '<', '{'];
+const CLOSING: [char; 4] = [')', ']', '>', '}'];
+
+/// The points of a text, each as its numbers: they have brackets around them, or spaces between them.
+fn points(text: &str) -> Option<Vec<Vec<&str>>> {
+    if !text.starts_with(OPENING) {
+        return Some(text.split_whitespace().map(coordinates).collect());
+    }
+    let mut all = Vec::new();
+    let mut rest = text;
+    while !rest.is_empty() {
+        let (point, behind) = rest.strip_prefix(OPENING)?.split_once(CLOSING)?;
+        all.push(coordinates(point));
+        rest = behind.trim_start_matches([',', ';', ' ', '\t', '\r', '\n']);
+    }
+    Some(all)
+}
+
+/// The numbers of a point. Its commas are decimal where something else is between the numbers: a semicolon, a comma
+/// with a space, or a space.
+fn coordinates(point: &str) -> Vec<&str> {
+    let parts: Vec<&str> = if point.contains(';') {
+        point.split(';').collect()
+    } else if point.contains(", ") {
+        point.split(", ").collect()
+    } else if point.trim().contains(' ') {
+        point.split_whitespace().collect()
+    } else {
+        point.split(',').collect()
+    };
+    parts.into_iter().map(str::trim).collect()
+}
 
 impl LineContext<'_> {
     /// How many points follow the count at the beginning of a profile. `None` if the numbers there are not whole
@@ -43,9 +78,40 @@ impl LineContext<'_> {
         self.write(Habit::Count, &[(*first, text)])
     }
 
+    /// Guesses at the points of a profile that are written as pairs with decimal commas, `(0,5;0) (0,5;1,2)`, with or
+    /// without brackets.
+    pub(super) fn points_with_commas(&self) -> Option<Candidate> {
+        let ty = self.ty().filter(|ty| ty.is_counted())?;
+        let each: usize = ty.repeats.iter().map(|group| group.len()).sum();
+        let (n, behind) = self.params().split_first()?;
+        let count = usize::try_from(n.integer(self.text)?).ok()?;
+        let end = behind.last()?.end() as usize;
+        let closed = self.text[end..].trim_start_matches(CLOSING);
+        let all = &self.text[n.end() as usize..self.text.len() - closed.len()];
+        let start = n.end() + (all.len() - all.trim_start().len()) as u32;
+        let points = points(all.trim())?;
+        let is_decimal = points.iter().flatten().any(|x| x.contains(','));
+        let is_one = points.len() == count && points.iter().all(|p| p.len() == each);
+        let numbers = points.concat().into_iter().map(|x| x.replace(',', "."));
+        let numbers: Vec<String> = numbers.collect();
+        let is_number = |x: &String| x.parse().is_ok_and(f64::is_finite);
+        if !is_decimal || !is_one || !numbers.iter().all(is_number) {
+            return None;
+        }
+        let span = Span::new(start, start + all.trim().len() as u32);
+        let mut candidate = Candidate::writing(Habit::Doubled, span, numbers.join(" "));
+        candidate.fix.title = COMMA_TITLE;
+        candidate.fix = candidate.fix.with("text", quote(&self.text[span.range()]));
+        Some(candidate)
+    }
+
     /// Guesses at a profile with a wrong number of points: its points have three coordinates, or one colour for all, or
     /// the number is wrong or missing.
     pub(super) fn count(&self, out: &mut Vec<Candidate>) {
+        if let Some(points) = self.points_with_commas() {
+            out.push(points);
+            return;
+        }
         if self.in_space().is_some() {
             out.extend(self.without_third());
             return;

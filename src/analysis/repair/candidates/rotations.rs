@@ -3,7 +3,8 @@
 
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::records;
-use crate::diagnostics::{Applicability, Fix, Span};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
+use crate::lint::rules::comment_contradicts::axes;
 use crate::lint::spelling::decimal;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
@@ -205,6 +206,17 @@ impl LineContext<'_> {
         let params = self.without_axis_word();
         let new = self.axis_number(&params).filter(|_| turns);
         out.extend(new.and_then(|new| self.write(Habit::Axis, &new)));
+    }
+
+    /// Guesses at the axis that a comment on the line names, where the number of the axis is none.
+    pub(super) fn called_axis(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let is_rotation = |ty: &RecordType| ty.kind == RecordKind::Rotation && self.fits(ty);
+        let is_one = finding.code == Code::E205 && self.ty().is_some_and(is_rotation);
+        let mut comments = self.all.iter().filter(|t| t.kind().is_comment());
+        let scene = &self.analysis.scene;
+        let said = || comments.find_map(|t| axes::said(t.text(self.text), scene));
+        let axis = is_one.then(said)??.to_string();
+        self.write(Habit::Digit, &[(*self.params().last()?, axis)])
     }
 
     /// The parameters, where a word for an axis is joined with the token behind it: `90 axis x`.

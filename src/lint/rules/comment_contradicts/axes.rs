@@ -2,7 +2,9 @@
 
 use super::{is_beside, words};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
+use crate::lint::Context;
 use crate::scene::record::Params;
+use crate::scene::{Camera, Scene};
 use crate::syntax::quote;
 
 const LETTERS: [&str; 3] = ["x", "y", "z"];
@@ -10,6 +12,8 @@ const LETTERS: [&str; 3] = ["x", "y", "z"];
 const ABOUT: [&str; 5] = ["about", "around", "round", "kolem", "okolo"];
 /// Words for an axis, and what stands beside them.
 const AXIS: [&str; 8] = ["axis", "osa", "osy", "ose", "osu", "osou", "the", "ove"];
+/// Words before an axis that points up, without accents.
+const VERTICAL: [&str; 5] = ["vertical", "svisla", "svisle", "svislou", "vertikalni"];
 /// Beginnings of the words for a rotation and its angle, without accents.
 const TURNS: [&str; 8] = [
     "rot", "otoc", "otac", "natoc", "pootoc", "turn", "deg", "stup",
@@ -21,10 +25,12 @@ const MAX_COMMENT_WORDS: usize = 10;
 /// The place of the axis in the record.
 const PLACE: usize = 1;
 
-pub(super) fn check(p: &Params) -> Option<Diagnostic> {
+pub(super) fn check(context: &Context, p: &Params) -> Option<Diagnostic> {
     let letter = |axis: usize| LETTERS.get(axis.wrapping_sub(1)).copied();
     let written = letter(p.integer(PLACE) as usize)?;
-    let said = p.own_comments().find_map(said)?;
+    let said = p
+        .own_comments()
+        .find_map(|text| said(text, context.scene))?;
     if letter(said)? == written {
         return None;
     }
@@ -36,24 +42,37 @@ pub(super) fn check(p: &Params) -> Option<Diagnostic> {
     Some(finding.fix(fix.with("number", quote(&number))))
 }
 
-/// The axis of a rotation that a comment names: it names one alone.
-fn said(comment: &str) -> Option<usize> {
+/// The axis of a rotation that a comment names, 1 to 3: it names one alone. A vertical axis is y, if that is up for all
+/// cameras.
+pub(crate) fn said(comment: &str, scene: &Scene) -> Option<usize> {
     let words = words(comment);
-    let is_letter = |word: &String| LETTERS.contains(&word.as_str());
-    let at = words.iter().position(is_letter)?;
-    let is_one = !words[at + 1..].iter().any(is_letter);
+    let is_axis = |word: &str| AXIS.contains(&word);
+    let is_vertical = |i: usize| {
+        VERTICAL.contains(&words[i].as_str()) && words.get(i + 1).is_some_and(|w| is_axis(w))
+    };
+    let named = |i: usize| match LETTERS.iter().position(|l| *l == words[i]) {
+        None if is_vertical(i) => Some(1),
+        letter => letter,
+    };
+    let at = (0..words.len()).find(|&i| named(i).is_some())?;
+    let is_one = !(at + 1..words.len()).any(|i| named(i).is_some());
     if words.len() > MAX_COMMENT_WORDS || !is_one {
         return None;
     }
-    let is_axis = |word: &str| AXIS.contains(&word);
+    let is_up = |c: &Camera| matches!(c.up, [0.0, y, 0.0] if y > 0.0);
+    let is_upright = !scene.cameras.is_empty() && scene.cameras.iter().all(is_up);
+    if is_vertical(at) && !is_upright {
+        return None;
+    }
     let mut before = words[..at].iter().rev().skip_while(|w| is_axis(w));
     let is_about = before.next().is_some_and(|w| ABOUT.contains(&w.as_str()));
     // A turn before may have moved the axes of the object itself.
     let is_plain = !words[at..].iter().any(|w| is_beside(w))
         && !words[..at].iter().any(|w| is_beside(w) && w != "of");
     let is_turn = |w: &String| TURNS.iter().any(|b| w.starts_with(b));
-    let is_known = |w: &String| {
-        is_letter(w)
+    let is_known = |i: usize| {
+        let w = &words[i];
+        named(i).is_some()
             || is_axis(w)
             || is_turn(w)
             || BETWEEN.contains(&w.as_str())
@@ -61,8 +80,8 @@ fn said(comment: &str) -> Option<usize> {
     };
     let is_all = || {
         let names = |w: &String| is_turn(w) || is_axis(w);
-        words.iter().all(is_known) && words.iter().any(names)
+        (0..words.len()).all(is_known) && words.iter().any(names)
     };
-    let axis = LETTERS.iter().position(|l| *l == words[at])? + 1;
+    let axis = named(at)? + 1;
     (is_plain && (is_about || is_all())).then_some(axis)
 }

@@ -1,6 +1,6 @@
 //! W344: a record whose comment names another light, axis, colour or height than its numbers.
 
-mod axes;
+pub(crate) mod axes;
 mod colours;
 mod heights;
 mod lights;
@@ -27,7 +27,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     for record in context.records() {
         let p = || context.record_params(record);
         match record.kind {
-            RecordKind::Rotation => out.extend(axes::check(&p())),
+            RecordKind::Rotation => out.extend(axes::check(context, &p())),
             RecordKind::Colour => out.extend(colours::check(&p())),
             RecordKind::PointLight if p().own_comments().any(lights::is_ambient) => {
                 lamps.push(record);
