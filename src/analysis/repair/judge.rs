@@ -2,11 +2,21 @@
 
 use super::candidates::{Candidate, Habit};
 use crate::analysis::Analysis;
-use crate::diagnostics::{Code, Diagnostic, Severity, Span};
+use crate::diagnostics::{Code, Diagnostic, Severity, Span, Value};
 use crate::scene::{Node, NodeId, Scene, View, fold_up};
 use crate::solids::bounds::NodeBounds;
 use crate::solids::proofs::{Literals, Proofs};
 use crate::trace::plan::unseen::view::{Parts, out_of_view};
+
+/// Whether it is proved that nothing of the scene is drawn.
+pub fn draws_nothing(analysis: &Analysis) -> bool {
+    let Some(render) = &analysis.scene.render else {
+        return false;
+    };
+    let root = ("id", Value::from(render.root_id.to_string()));
+    let is_empty = |d: &Diagnostic| d.code == Code::W319 && d.values.contains(&root);
+    analysis.findings().iter().any(is_empty)
+}
 
 /// The numbers of findings that are left in a scene, the weightiest kind first: two of them compare by errors first.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]

@@ -31,6 +31,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, SourceFile, Span,
 use crate::scene::names;
 use crate::syntax::Item;
 use candidates::{Candidate, Habit, LineContext};
+pub use judge::draws_nothing;
 use judge::{Left, ends_on_line, errors_at, has_error_at, hidden};
 
 /// The most texts that are tried for one file.
@@ -81,16 +82,6 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
 /// Whether trials may find fixes for a finding: it is an error, an empty object or a number with a leading zero.
 pub fn is_tried(d: &Diagnostic) -> bool {
     d.is_error() || matches!(d.code, Code::W319 | Code::S505)
-}
-
-/// Whether it is proved that nothing of the scene is drawn.
-pub fn draws_nothing(analysis: &Analysis) -> bool {
-    let Some(render) = &analysis.scene.render else {
-        return false;
-    };
-    let root = ("id", Value::from(render.root_id.to_string()));
-    let is_empty = |d: &Diagnostic| d.code == Code::W319 && d.values.contains(&root);
-    analysis.findings().iter().any(is_empty)
 }
 
 struct Engine<'a> {
