@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Applicability, Fix};
 use crate::lint::Context;
+use crate::lint::rules::duplicate_operand;
 use crate::scene::names::references;
 use crate::scene::{Entity, Node, NodeId, Scene};
 use crate::syntax::table::{Family, RecordType};
@@ -53,12 +54,17 @@ pub(super) fn for_one_named_twice(context: &Context, unused: &Entity) -> Option<
             return None;
         };
         let at = [(b, a), (a, b)].map(|(part, whole)| part != whole && holds(scene, whole, part));
-        Some((i, at.iter().position(|held| *held)?))
+        let held = at.iter().position(|held| *held)?;
+        Some((i, held, [b, a][held]))
     });
     let mut places = places.take(2);
-    let (Some((union, held)), None) = (places.next(), places.next()) else {
+    let (Some((union, held, part)), None) = (places.next(), places.next()) else {
         return None;
     };
+    // In place of an equal object it would be there twice, too.
+    if duplicate_operand::are_equal(scene, unused.node()?, part) {
+        return None;
+    }
     let p = context.params(scene.origins[union].span)?;
     let (at, kept) = match held {
         0 => (1, 0),
