@@ -290,8 +290,8 @@ pub(super) fn size() -> String {
     format!("{width}x{height}")
 }
 
-/// The length of a line from the arguments of this run, which may give it in the way of other programs. 100, as in zpg,
-/// if they do not.
+/// The line length that this run's arguments ask for, also in the spelling of other programs. 100, zpg's own, if they
+/// give none.
 pub(super) fn line_length() -> String {
     let length = number(&["--line-length", "--width", "-l"]);
     length.unwrap_or(100).to_string()

@@ -229,8 +229,9 @@ const DIAMETER: [&str; 3] = ["diameter", "prumer", "across"];
 /// The same for a height.
 const HEIGHT: [&str; 2] = ["height", "vysk"];
 
-/// The fix for a sphere whose comment contradicts its numbers, with the case of the finding. Either the radius in the
-/// comment is the first number, or the diameter in the comment is the number that stands as the radius.
+/// For a sphere whose comment contradicts its numbers, the case of the finding's message and the fix. Case `radius`:
+/// the radius that the comment tells is written first and not last. Case `diameter`: the number written as radius is
+/// the diameter that the comment tells. `None` in all other cases.
 pub(crate) fn sphere_by_comment(p: &Params) -> Option<(&'static str, Fix)> {
     let last = p.len().checked_sub(1)?;
     let said = |any: &[&str]| p.comments().find_map(|text| number_of(text, any));

@@ -18,7 +18,8 @@ use crate::geometry::vec::Vec3;
 
 /// The number of samples in a batch. Every pixel takes at least one batch.
 pub const BATCH_SAMPLES: u32 = 4;
-/// The fewest samples of any other pixel: four batches, since fewer say little about their scatter.
+/// The fewest samples of a pixel that does not stop after its first batches for low contrast: four batches. The scatter
+/// of fewer says little.
 pub const MIN_SAMPLES: u32 = 4 * BATCH_SAMPLES;
 /// The most samples of a pixel.
 pub const MAX_SAMPLES: u32 = 1024;

@@ -39,7 +39,8 @@ impl Order {
         }
     }
 
-    /// Finds the order of the IDs in a stretch. `is_read` says whether a record can be read at the head of a line.
+    /// Finds, for each line of a stretch, between which two IDs an ID at its head would be in order. `is_read` says of
+    /// a line whether a record can be read at its head.
     pub(crate) fn new(stretch: &Stretch, is_read: impl Fn(usize) -> bool) -> Order {
         let lines = stretch.line_count();
         let known = |line: usize| is_read(line).then(|| defined(stretch.head(line))).flatten();

@@ -6,8 +6,8 @@ use super::resolved::Resolved;
 use crate::geometry::affine::Placement;
 use crate::geometry::vec::{UNIT_ROUNDOFF, gamma};
 
-/// The most unit roundoffs by which maps may move a line before it is in doubt, a little less than the arbiter allows:
-/// see `Roots::doubt_blurred` of [`shapes`](crate::trace::shapes).
+/// A ray is in doubt if maps may have moved its line by more than this many unit roundoffs. The arbiter allows a little
+/// more: see `Roots::doubt_blurred` of [`shapes`](crate::trace::shapes).
 const BLURRED: f64 = 31.0;
 
 /// The points in the scene's space where rays meet placed shapes. `resolve` finds them for rays in the spaces of the

@@ -2,7 +2,7 @@
 //! same order.
 //!
 //! Hard rays count as unknown and are left to the torus itself: rays that nearly touch it, rays that may start in it or
-//! close to it, and all rays to a torus that runs through itself.
+//! close to it, and all rays to a torus that runs through itself. Unknown is not in doubt: the torus itself may be sure.
 
 use super::chain::Local;
 use super::lanes::{Lanes, V3, either, fused, is_at_most, is_greater, is_less, mask};

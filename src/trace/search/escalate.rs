@@ -162,8 +162,8 @@ fn settled<Q: Question, R: Precision>(
     answer
 }
 
-/// The distance from a face at which rays beside it are asked about, for a ray that lies in the face: a multiple of the
-/// root of the unit roundoff, 2⁻⁵¹ for double-double, and of [`Along::reach`](super::query::Along::reach).
+/// A ray that lies in a face is replaced by rays beside the face. Their distance from it is this number times
+/// [`Along::reach`](super::query::Along::reach) times the root of the unit roundoff, which is 2⁻⁵¹ for double-double.
 const FACE_OFFSET: f64 = 1.0 / (1u64 << 24) as f64;
 
 /// The answer in numbers that are final. If some surface cannot be told from the one that the ray has left, the
@@ -359,11 +359,11 @@ fn shared<R: Precision>(events: &[Event<R>], graph: &Graph) -> Vec3 {
 impl<const GLASS: bool> Question for Visibility<GLASS> {
     type Answer<R: Precision> = Vec3;
 
-    /// A ray that starts outside and crosses something opaque before anything transparent is blocked: the first thing
-    /// it meets is a boundary of the scene, and opaque. It does not matter which opaque thing the ray meets first, so
-    /// the search stops at the first one that it finds. If it crosses nothing opaque, only parts that hold something
-    /// transparent can change its light, and spans of those are enough. Only if something transparent comes before
-    /// something opaque does it matter what is inside of what.
+    /// How much light gets through along `ray`. A ray that starts outside and crosses something opaque before anything
+    /// transparent is blocked: the first thing it meets is a boundary of the scene, and opaque. It does not matter which
+    /// opaque thing the ray meets first, so the search stops at the first one that it finds. If the ray crosses nothing
+    /// opaque, only parts that hold something transparent can change its light, and their spans are enough. If something
+    /// transparent comes before something opaque, all spans are needed: the opaque thing may be hidden in another solid.
     fn ask<R: Precision>(&self, tracer: &Tracer, walker: &mut Walker<R>, ray: &Ray<R>) -> Vec3 {
         walker.work.clip += u64::from(tracer.clip.is_some());
         let Some((from, to)) = tracer.window(ray, R::of(1.0 - R::AT_LAMP)) else {

@@ -110,11 +110,11 @@ impl Torus {
         ]
     }
 
-    /// Appends the crossings. The stretch of the line in the bounding sphere is cut where the quartic may turn
-    /// ([`Quartic::pieces`]). The regions that these points are in come from g₋ and g₊, whose rounding errors shrink
-    /// with the tube, as those of the quartic's coefficients do not. Between neighbours in and out of the tube is one
-    /// root: the quartic's, polished by Newton's method on the g that changes sign. A point too close to the surface
-    /// to tell is taken for a touch.
+    /// Appends the crossings. The line's stretch in the bounding sphere is cut at the points where the quartic may turn
+    /// ([`Quartic::pieces`]). For each point, the signs of g₋ and g₊ (see the head of this file) say in which region it
+    /// is; the quartic does not, since its rounding errors do not shrink with the tube. Between two neighbours in
+    /// different regions there is exactly one crossing: a root of the quartic, refined by Newton's method on the g that
+    /// changes its sign. A point that is too close to the surface to tell its region counts as a touch.
     ///
     /// Stops after the first crossing beyond `enough`.
     fn decide<R: Traced>(&self, line: &Line<R>, enough: R, roots: &mut Roots<R>) {

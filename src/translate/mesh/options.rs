@@ -5,8 +5,8 @@ use crate::scene::Vec3;
 /// The choices that the scene itself does not make.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Options {
-    /// How far a triangle may be from the surface it stands for, in scene units; by default
-    /// [`DEFAULT_TOLERANCE`] of the scene's size.
+    /// How far a triangle may be from the surface it stands for, in scene units. `None`: [`DEFAULT_TOLERANCE`] times
+    /// the radius of the sphere around the scene.
     pub tolerance: Option<f64>,
     /// The place that the scene is seen from, if it matters: endless shapes reach as far as that place.
     pub eye: Option<Vec3>,

@@ -92,7 +92,8 @@ impl Union {
     }
 }
 
-/// Joins neighbours two by two. Returns what was made, and how often joining failed.
+/// One round of joining: unites the first member with the second, the third with the fourth, and so on. Returns the
+/// members that are left and how many pairs could not be joined.
 fn round(group: Vec<Member>) -> (Vec<Member>, u64) {
     let mut pairs = Vec::with_capacity(group.len().div_ceil(2));
     let mut rest = group.into_iter();

@@ -5,10 +5,10 @@ use crate::lint::Context;
 use crate::lint::spelling::spelled;
 use crate::scene::Geometry;
 
-/// Two numbers this near, as a share of the larger, are one number that was rounded in two ways. A
-/// program that turns or scales a quadric computes each entry of AᵀQA as a sum of up to four products
-/// of three: two roundings for a product and three for the sum, of half an ε each, and the same again
-/// for the entry's mirror image.
+/// Two numbers whose relative difference is at most this are one number that was rounded in two ways. A program that
+/// scales a quadric, or turns it about a coordinate axis, computes each entry of AᵀQA as a sum of up to four products of
+/// three factors. A product rounds twice and the sum three times, by ε/2 each: 2.5 ε. The entry's mirror image may be
+/// off by as much again: 5 ε.
 const ROUNDED: f64 = 5.0 * f64::EPSILON;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {

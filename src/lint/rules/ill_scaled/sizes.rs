@@ -14,8 +14,8 @@ const UNEVEN: f64 = 1.001;
 pub(super) struct Length {
     pub size: f64,
     pub what: &'static str,
-    /// The axis of the shape along which the length lies, if lengths along the other axes are stretched differently and
-    /// the name does not tell the axis.
+    /// The axis of the shape that the length lies along, for messages. `None` where no axis need be told: the name
+    /// tells it, or all axes are stretched alike.
     pub axis: Option<usize>,
 }
 

@@ -175,8 +175,8 @@ impl Run<'_> {
         cost * self.calibration
     }
 
-    /// Times the default on more than the pilot's few tiles. The costs of all settings are corrected by the same
-    /// factor.
+    /// Measures the default settings on more tiles than the pilot had. The ratio of the measured time to the estimate
+    /// then corrects the estimated cost of every setting.
     pub(super) fn calibrate(&mut self) -> Result<(), Error> {
         let cost = self.entry_cost(&TimedItem::Default(0));
         let tiles = self.tiles_for(self.on_one(self.seconds(CALIBRATION)), cost, LEAST_PIXELS);

@@ -348,7 +348,7 @@ fn near_parts<T: Clone + Default>(
     out
 }
 
-/// The most pairs of a point and a part that are asked about.
+/// The most questions whether a part of the scene holds a point. Later ones are answered with "not known".
 const PAIRS: usize = 1 << 18;
 
 struct Asked<'a> {

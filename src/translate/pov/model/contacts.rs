@@ -19,7 +19,7 @@ use crate::translate::pov::budget::Limit;
 
 /// The largest distance of two faces that count as one place, as a fraction of the largest coordinate: a few hundred
 /// roundings may move faces this far. Faces that are farther apart are the two sides of a real wall.
-const FACE_GAP: f64 = 1e-13;
+const FACE_REL_GAP: f64 = 1e-13;
 /// The largest overlap of two faces that counts as no more than a common edge, as a fraction of the largest coordinate.
 const EDGE_REL_OVERLAP: f64 = 1e-9;
 /// The largest relative difference of normals, sizes and quadrics that count as equal: rotations may round by this
@@ -100,7 +100,7 @@ impl Face {
         let ends = [&self.around, &other.around];
         let ends = ends.into_iter().flat_map(|b| [b.min, b.max]).flatten();
         let size = (ends.filter(|x| x.is_finite())).fold(0.0f64, |m, x| m.max(x.abs()));
-        let (gap, edge) = (FACE_GAP * size, EDGE_REL_OVERLAP * size);
+        let (gap, edge) = (FACE_REL_GAP * size, EDGE_REL_OVERLAP * size);
         // Along an axis on which both faces are flat, their extents need only meet; along any other axis they have to
         // overlap by more than an edge.
         let over = |i: usize| {

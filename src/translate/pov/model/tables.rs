@@ -7,8 +7,8 @@ use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Optics, Rgb, Scene, Texture};
 
 /// The number of a value that nobody gave, in every table.
 pub(crate) const DEFAULT: u32 = 0;
-/// The number of the texture of a coloured surface of revolution to which no other texture was given: the colours of
-/// its own profile. On other shapes it stands for the default texture.
+/// The texture number that means "the colours of the shape's own profile". A coloured surface of revolution has it if
+/// no other texture was given. On other shapes it means the default texture.
 pub(crate) const PROFILE: u32 = 1;
 
 /// A texture and the matrix from the coordinates it was given in to those of the node at hand.

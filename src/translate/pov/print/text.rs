@@ -1,4 +1,5 @@
-//! Numbers, vectors and colours as POV-Ray reads them, and `Page`, which indents lines. Braces stand in `objects.rs`.
+//! Numbers, vectors and colours as POV-Ray reads them, and `Page`, which indents lines. Braces are written where the
+//! thing is printed.
 
 use std::fmt::{self, Write};
 
