@@ -461,3 +461,32 @@ fn unions_of_many_are_one_mistake() {
         assert!(errors(&fixed(&text)).is_empty());
     }
 }
+
+/// The space between the type of a profile and its number of points is lost, and `12` is the type of a box.
+#[test]
+fn profiles_that_are_boxes() {
+    let disc = "10 1 2 40 0 40 10\n";
+    for (above, numbers, comment) in [
+        (disc, "15 -1 15 40", "bore, radius 15"),
+        ("", "1 0 1 2", "cylinder, radius 1, height 2"),
+        ("", "1 0 1 2", "válec"),
+    ] {
+        let of = |head: &str| {
+            let drawn = match above {
+                "" => 11,
+                _ => 14,
+            };
+            let cut = if above.is_empty() {
+                ""
+            } else {
+                "14 -103 10 11\n"
+            };
+            format!("{above}11 {head} {numbers} # {comment} #\n{cut}{REST}1 9999 {drawn} 0\n")
+        };
+        let (_, made) = only(&of("12"), Code::E003);
+        assert_eq!(made.first(), Some(&of("1 2")));
+    }
+    let cube = format!("11 12 1 0 1 2 # cube #\n{REST}1 9999 11 0\n");
+    let (_, made) = only(&cube, Code::E008);
+    assert!(made.iter().all(|made| !made.contains("11 1 2 ")));
+}

@@ -1,5 +1,7 @@
 //! A token that is several numbers, since the spaces between them are lost: `-12.5 1 0` is `-1 2.5 1 0`.
 
+use super::sizes::BOX;
+use super::types::CYLINDERS;
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic};
 use crate::syntax::Item;
@@ -50,6 +52,7 @@ impl LineContext<'_> {
                 out.extend(apart);
             }
         }
+        out.extend(self.profile_without_space(token, &rest));
         let Some(ty) = self.ty() else { return };
         for (i, token) in self.params().iter().enumerate() {
             let is_reference = |p: &Param| matches!(p.kind, ParamKind::Reference { .. });
@@ -66,6 +69,29 @@ impl LineContext<'_> {
                 }
             }
         }
+    }
+
+    /// A guess that the type of a profile and its number of points are one token, which is a type itself: `12` for `1 2`.
+    /// `None` unless a comment names a cylinder, or a record beside this one is a profile.
+    fn profile_without_space(&self, token: &Token, rest: &[&str]) -> Option<Candidate> {
+        let (code, count) = token.text(self.text).split_at_checked(1)?;
+        let ty = RecordType::by_code(code.parse().ok()?).filter(|ty| ty.is_counted())?;
+        let is_meant =
+            self.is_called(&CYLINDERS) || self.is_type_beside(ty) && !self.is_called(&BOX);
+        let points: usize = count.parse().ok()?;
+        let numbers: Vec<f64> = rest.iter().flat_map(|text| text.parse()).collect();
+        let mut radii = numbers.iter().step_by(2).take(points);
+        let is_profile = (2..=rest.len()).contains(&points)
+            && ty.arity(points as u64) == rest.len() as u64 + 1
+            && numbers.len() == rest.len()
+            && radii.all(|&r| r >= 0.0);
+        (self.ty().is_some() && is_meant && is_profile)
+            .then(|| self.glued_apart(token, &[code, count]))
+            .flatten()
+            .map(|candidate| Candidate {
+                habit: Habit::GluedAsBeside,
+                ..candidate
+            })
     }
 
     /// Whether the record above or the one below is of this type.

@@ -9,7 +9,7 @@ use crate::syntax::table::{RecordKind, RecordType, ShapeKind};
 use crate::syntax::words;
 
 /// Beginnings of words for a box, without accents.
-const BOX: [&str; 6] = ["box", "cube", "cuboid", "krychl", "kvadr", "kost"];
+pub(super) const BOX: [&str; 6] = ["box", "cube", "cuboid", "krychl", "kvadr", "kost"];
 /// Beginnings of words for a ball, without accents.
 const BALL: [&str; 4] = ["ball", "sphere", "koul", "kulic"];
 

@@ -44,7 +44,7 @@ const SIBLINGS: &[(i32, &[i32])] = &[
 ];
 
 /// Beginnings of words for a cylinder, without accents.
-const CYLINDERS: [&str; 3] = ["cylind", "valec", "valc"];
+pub(super) const CYLINDERS: [&str; 3] = ["cylind", "valec", "valc"];
 /// Beginnings of words for glass, without accents.
 const GLASS: [&str; 2] = ["glass", "skl"];
 /// How many numbers a cylinder has that is given by the centres of its ends and a radius.
