@@ -205,7 +205,7 @@ fn threads_are_four_for_each_processor_at_most() {
         let stats: serde_json::Value = serde_json::from_slice(&stats).unwrap();
         assert_eq!(stats["threads"], expected);
         assert_eq!(
-            said(&output).contains("--threads 9999 are too many"),
+            said(&output).contains("--threads 9999 is too many"),
             threads == "9999"
         );
     }

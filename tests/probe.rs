@@ -393,7 +393,7 @@ fn wrong_usage() {
         (&["a.zpg", "--ray", "0 0 9 0 0 0"], "zero vector"),
         (
             &["a.zpg", "--ray", "0 0 9 0 0 -1", "--point", "0 0 0"],
-            "does not go together with",
+            "cannot be used with",
         ),
         (&["-", "--rays", "-"], "cannot both be standard input"),
         (

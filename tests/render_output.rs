@@ -284,7 +284,7 @@ fn what_is_read_is_spared() {
         let reasons = [
             "would be overwritten",
             "be written twice",
-            "not what is written",
+            "the output has another format",
         ];
         assert!(reasons.iter().any(|r| said.contains(r)), "{args}: {said}");
     }

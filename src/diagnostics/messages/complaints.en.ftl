@@ -411,7 +411,7 @@ habit-no-fix = there is no such option; `zpg check` writes nothing without `--fi
 habit-no-option = that is the default, without any option
 habit-none = zpg has no such option
 habit-output = the file to write is named by `-o { $path }`
-habit-output-format-explain = there is no such option; `zpg explain` writes Markdown where its output is no terminal
+habit-output-format-explain = there is no such option; `zpg explain` writes Markdown where its output is not a terminal
 habit-output-format-fmt = there is no such option; `--diff` shows what would change, and `--check` names the files
 habit-per-file-ignores = zpg calls it {"`"}--config 'lint.per-file-ignores={"{"}"*" = ["W310"]{"}"}'`
 habit-picture-format = the ending of `-o` says the format, for example `-o picture.png`
