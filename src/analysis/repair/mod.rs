@@ -238,7 +238,7 @@ impl Engine<'_> {
             let finding = &self.findings[at];
             let done = mended.is_some_and(|line| line.touches(finding.span));
             let settled = has_safe_fix(finding)
-                || finding.code == Code::S505
+                || matches!(finding.code, Code::E208 | Code::S505)
                 || leading_zeros::is_told(finding)
                 || whole::is_of_many(finding)
                 || in_comments::is_told(finding)
