@@ -157,7 +157,10 @@ fn meshes_are_not_shown_on_a_terminal() {
     let run = script.current_dir(folder.path()).output().unwrap();
     assert_eq!(run.status.code(), Some(2));
     let said = String::from_utf8(run.stdout).unwrap();
-    assert!(said.contains("the output is binary and not for a terminal"), "{said}");
+    assert!(
+        said.contains("the output is binary and not for a terminal"),
+        "{said}"
+    );
 }
 
 #[test]
