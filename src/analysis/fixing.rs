@@ -18,7 +18,7 @@ use crate::syntax::{preserved, recognise};
 const REFUSED_BYTES: usize = 16_000_000;
 const REFUSED: Range<usize> = 16..1000;
 
-/// The fewest new lines of a guess that is tried to do without. A part of two optics and a moved record have fewer.
+/// The fewest new lines of a guess that is left out on trial. Guesses that add optics or move a record write fewer.
 const LONG_GUESS_LINES: usize = 3;
 
 /// A scene after its fixes were applied.
