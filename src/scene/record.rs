@@ -153,6 +153,13 @@ impl<'a> Params<'a> {
         for i in fixed..if rest { self.len() } else { fixed } {
             out.extend(self.param(i).and_then(|p| self.violation(i, p)));
         }
+        // Once for the record: the fix is as long as the profile.
+        let heights = || (2..=2 * self.count).step_by(2).map(|y| self.number(y));
+        if let Some(d) = out[before..].iter_mut().find(|d| d.code == Code::E208)
+            && heights().all(|y| y >= 0.0)
+        {
+            d.fixes.insert(0, self.points_exchanged());
+        }
         out.len() == before
     }
 
@@ -210,23 +217,21 @@ impl<'a> Params<'a> {
         (0..self.len() - 1).all(|i| i == at || gap(i) < gap(at))
     }
 
-    /// The fix that exchanges x and y of every point of a profile. `None` if a height is negative, too: it would then be
-    /// the negative radius.
-    fn points_exchanged(&self) -> Option<Fix> {
-        let points = || (1..=2 * self.count).step_by(2);
+    /// The fix that exchanges x and y of every point of a profile, to be chosen.
+    pub fn points_exchanged(&self) -> Fix {
         let edit = |at: usize, from: usize| Edit {
             span: self.span_of(at, 1),
             text: self.text_of(from).to_owned(),
         };
-        let all_positive = points().all(|x| self.number(x + 1) >= 0.0);
-        all_positive.then(|| Fix {
+        let points = (1..2 * self.count).step_by(2);
+        Fix {
             title: "fix-turned",
             values: Vec::new(),
             applicability: Applicability::Choice,
-            edits: points()
+            edits: points
                 .flat_map(|x| [edit(x, x + 1), edit(x + 1, x)])
                 .collect(),
-        })
+        }
     }
 
     fn violation(&self, i: usize, p: &Param) -> Option<Diagnostic> {
@@ -267,11 +272,7 @@ impl<'a> Params<'a> {
                 Some(number) if code == Code::E208 => {
                     let (span, number) = (self.span_of(i, 1), number.to_owned());
                     let fix = Fix::replace("fix", Applicability::Choice, span, number.clone());
-                    let fix = fix.with("number", crate::syntax::quote(&number));
-                    self.points_exchanged()
-                        .into_iter()
-                        .chain([fix])
-                        .fold(d, Diagnostic::fix)
+                    d.fix(fix.with("number", crate::syntax::quote(&number)))
                 }
                 _ => d,
             };

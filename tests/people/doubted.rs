@@ -332,3 +332,21 @@ fn points_of_a_profile_by_their_heights() {
     let (_, made) = guessed(&text("-15 -1 15 40"), Code::E208);
     assert_eq!(made, [text("15 -1 15 40")]);
 }
+
+/// A profile may have any number of negative radii: the exchange of all points is proposed once.
+#[test]
+fn many_negative_radii() {
+    const POINTS: usize = 2000;
+    let points: String = (0..POINTS).map(|y| format!(" -1 {y}")).collect();
+    let text = scene(&format!("2 1 {POINTS}{points}"), 2);
+    let all = read(&text);
+    let found: Vec<&Diagnostic> = all
+        .findings()
+        .iter()
+        .filter(|d| d.code == Code::E208)
+        .collect();
+    assert_eq!(found.len(), POINTS);
+    let edits = |d: &&Diagnostic| d.fixes.iter().map(|f| f.edits.len()).sum::<usize>();
+    assert_eq!(edits(&found[0]), 2 * POINTS + 1);
+    assert!(found[1..].iter().all(|d| edits(d) == 1));
+}

@@ -79,9 +79,9 @@ pub fn proposals_for(analysis: &Analysis, findings: Vec<Diagnostic>) -> Vec<Diag
     engine.findings
 }
 
-/// Whether trials may find fixes for a finding: it is an error, an empty object or a number with a leading zero.
+/// Whether trials may find fixes for a finding. An error about a profile's radius (E208) has all its fixes already.
 pub fn is_tried(d: &Diagnostic) -> bool {
-    d.is_error() || matches!(d.code, Code::W319 | Code::S505)
+    d.is_error() && d.code != Code::E208 || matches!(d.code, Code::W319 | Code::S505)
 }
 
 struct Engine<'a> {
@@ -238,7 +238,7 @@ impl Engine<'_> {
             let finding = &self.findings[at];
             let done = mended.is_some_and(|line| line.touches(finding.span));
             let settled = has_safe_fix(finding)
-                || matches!(finding.code, Code::E208 | Code::S505)
+                || finding.code == Code::S505
                 || leading_zeros::is_told(finding)
                 || whole::is_of_many(finding)
                 || in_comments::is_told(finding)

@@ -2,7 +2,7 @@
 
 mod in_line;
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::scene::record::Params;
 use crate::scene::sizes::{Readings, readings};
@@ -30,7 +30,7 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
         .with("type", Value::Term(shape.ty().title))
         .with("id", shape.id.to_string());
     if why.case == TURNED {
-        return finding.fix(turned(p));
+        return finding.fix(p.points_exchanged());
     }
     if why.equal.is_empty() {
         return finding;
@@ -65,23 +65,6 @@ fn finding(shape: &Shape, p: &Params, why: &Degenerate) -> Diagnostic {
 
 /// The case of a profile whose x and y are exchanged.
 const TURNED: &str = "profile-turned";
-
-/// The fix that exchanges x and y of every point of a profile.
-fn turned(p: &Params) -> Fix {
-    let edit = |at: usize, from: usize| Edit {
-        span: p.span_of(at, 1),
-        text: p.text_of(from).to_owned(),
-    };
-    let points = (1..2 * p.count).step_by(2);
-    Fix {
-        title: "fix-turned",
-        values: Vec::new(),
-        applicability: Applicability::Choice,
-        edits: points
-            .flat_map(|i| [edit(i, i + 1), edit(i + 1, i)])
-            .collect(),
-    }
-}
 
 /// The fix for one pair of equal bounds. If both are positive, the lower one has lost its minus; if both are negative,
 /// the upper one has a minus too many. `None` for zeros and for several pairs.
