@@ -200,6 +200,12 @@ fn is_guess(fix: &Fix) -> bool {
     fix.applicability == Applicability::Unsafe
 }
 
+/// The limit for the weight of a scene: it must be below, or no greater.
+enum Limit<'a> {
+    Below(&'a Vec<usize>),
+    AtMost(&'a Vec<usize>),
+}
+
 /// The result of a round of fixes: the scene, the number of fixes, and their edits.
 struct FixRound {
     analysis: Analysis,
@@ -215,8 +221,35 @@ fn step(
     again: &impl Fn(SourceFile) -> Analysis,
     left: &mut usize,
 ) -> Option<FixRound> {
-    let mut chosen = vec![false; all.len()];
+    let text = analysis.source.text.as_str();
     let guesses = all.iter().any(is_guess);
+    let edits_of = |chosen: &[bool]| {
+        let with = all.iter().zip(chosen).filter(|f| *f.1).map(|f| f.0);
+        fixes::edits(text, with)
+    };
+    // The scene with some edits and its weight, if that is within a limit and nothing became worse than `before`.
+    let read = |(edits, count): (Vec<Edit>, usize), before: &Analysis, limit: Limit| {
+        let edited = fixes::edited(text, &edits);
+        let fixed = again(analysis.source.with_text(edited));
+        let now = weight_after(before, &fixed);
+        let is_light = match limit {
+            Limit::Below(lightest) => now < *lightest,
+            Limit::AtMost(lightest) => now <= *lightest,
+        };
+        let is_sound = is_light
+            && !has_new_errors(before, &fixed)
+            && leaves_the_rest(analysis, &edits, &fixed)
+            && fixed.is_scene()
+            && recognise::is_scene(&fixed.source.text)
+            && !(guesses && repair::draws_nothing(&fixed) && !repair::draws_nothing(before));
+        let round = FixRound {
+            analysis: fixed,
+            count,
+            edits,
+        };
+        is_sound.then_some((round, now))
+    };
+    let mut chosen = vec![false; all.len()];
     let mut best: Option<FixRound> = None;
     let mut lightest = weight(analysis);
     // Larger groups come first, so that a harmful fix in one place does not hold up fixes in others.
@@ -225,28 +258,13 @@ fn step(
     while let Some(stretch) = stretches.pop_front().filter(|_| *left > 0) {
         let mut tried = chosen.clone();
         tried[stretch.clone()].fill(true);
-        let with = all.iter().zip(&tried).filter(|f| *f.1).map(|f| f.0);
-        let (edits, count) = fixes::edits(&analysis.source.text, with);
-        if count > best.as_ref().map_or(0, |b| b.count) {
-            let text = fixes::edited(&analysis.source.text, &edits);
-            let fixed = again(analysis.source.with_text(text));
+        let edits = edits_of(&tried);
+        if edits.1 > best.as_ref().map_or(0, |b| b.count) {
             let before = best.as_ref().map_or(analysis, |b| &b.analysis);
-            let now = weight_after(before, &fixed);
-            let harms = stretch.len() > 1 && harms(before, &fixed);
-            if now < lightest
-                && !harms
-                && !has_new_errors(before, &fixed)
-                && leaves_the_rest(analysis, &edits, &fixed)
-                && fixed.is_scene()
-                && recognise::is_scene(&fixed.source.text)
-                && !(guesses && repair::draws_nothing(&fixed) && !repair::draws_nothing(before))
-            {
-                best = Some(FixRound {
-                    analysis: fixed,
-                    count,
-                    edits,
-                });
-                (lightest, chosen) = (now, tried);
+            let found = read(edits, before, Limit::Below(&lightest));
+            let is_harmless = |r: &FixRound| stretch.len() == 1 || !harms(before, &r.analysis);
+            if let Some((round, now)) = found.filter(|(round, _)| is_harmless(round)) {
+                (best, lightest, chosen) = (Some(round), now, tried);
                 continue;
             }
             *left -= 1;
@@ -256,34 +274,24 @@ fn step(
             stretches.extend([stretch.start..middle, middle..stretch.end]);
         }
     }
-    let mut best = best?;
     // A guess that writes an operation anew is dropped where the other fixes leave as little to be said.
     let is_long = |fix: &Fix| {
         let lines = fix.edits.iter().map(|e| e.text.matches('\n').count());
         is_guess(fix) && lines.sum::<usize>() >= LONG_GUESS_LINES
     };
     for i in (0..all.len()).filter(|&i| is_long(&all[i])) {
-        if *left == 0 || !chosen[i] || chosen.iter().filter(|c| **c).count() < 2 {
+        let is_one_of_many = chosen[i] && chosen.iter().filter(|c| **c).count() > 1;
+        if *left == 0 || !is_one_of_many {
             continue;
         }
         *left -= 1;
         let mut fewer = chosen.clone();
         fewer[i] = false;
-        let with = all.iter().zip(&fewer).filter(|f| *f.1).map(|f| f.0);
-        let (edits, count) = fixes::edits(&analysis.source.text, with);
-        let text = fixes::edited(&analysis.source.text, &edits);
-        let fixed = again(analysis.source.with_text(text));
-        let now = weight_after(analysis, &fixed);
-        if now <= lightest && leaves_the_rest(analysis, &edits, &fixed) {
-            best = FixRound {
-                analysis: fixed,
-                count,
-                edits,
-            };
-            (lightest, chosen) = (now, fewer);
+        if let Some((round, now)) = read(edits_of(&fewer), analysis, Limit::AtMost(&lightest)) {
+            (best, lightest, chosen) = (Some(round), now, fewer);
         }
     }
-    Some(best)
+    best
 }
 
 /// Whether every token outside of the edits is as it was.
