@@ -727,7 +727,7 @@ fn a_guess_with_a_condition_on_another_line() {
     for (language, said) in [
         (
             "cs",
-            "na řádku 2, je-li první poloměr, napsat `0.3 0.7 2.2 0.7`",
+            "na řádku 2: je-li první poloměr, napsat `0.3 0.7 2.2 0.7`",
         ),
         (
             "en",

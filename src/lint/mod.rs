@@ -10,7 +10,7 @@ mod places;
 mod properties;
 mod rays;
 mod records;
-pub(crate) mod rules;
+mod rules;
 pub mod signs;
 pub mod spelling;
 

@@ -6,7 +6,7 @@ use super::model::Entity;
 use super::names::references;
 use crate::syntax::lexer::TokenKind;
 use crate::syntax::table::Kind;
-use crate::syntax::words::plain;
+use crate::syntax::words;
 use crate::syntax::{Document, Item};
 
 /// Beginnings of words for a background, without accents.
@@ -63,9 +63,5 @@ fn is_called_so(document: &Document, text: &str, colour: &Entity) -> bool {
         .iter()
         .take_while(|t| t.kind() != TokenKind::Newline);
     let mut comments = on_line.filter(|t| t.kind().is_comment());
-    comments.any(|t| {
-        let words = t.text(text).split(|c: char| !c.is_alphabetic());
-        let mut words = words.map(plain);
-        words.any(|word| WORDS.iter().any(|begin| word.starts_with(begin)))
-    })
+    comments.any(|t| words::has(t.text(text), &WORDS))
 }

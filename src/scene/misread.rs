@@ -1,12 +1,9 @@
 //! Bounds that are out of order, perhaps because one number has lost its sign or its decimal point.
 
 use super::record::Params;
-use super::sizes::EQUAL;
+use super::sizes::{EQUAL, are_equal};
 use crate::diagnostics::{Applicability, Fix};
 use crate::syntax::{opposite, quote, with_point};
-
-/// The gap between two edges that are equal but for rounding, as a share of their length.
-const EDGE_REL_GAP: f64 = 1e-9;
 
 /// The fixes that bring bounds into order by a change of one number each.
 pub(super) struct Misread {
@@ -40,7 +37,6 @@ pub(super) fn misread(p: &Params, first: usize, n: usize) -> Misread {
                 text.clone(),
             );
             let fix = (fix.with("text", quote(p.text_of(i)))).with("number", quote(&text));
-            let are_equal = |a: f64, b: f64| (a - b).abs() <= EDGE_REL_GAP * b;
             let is_equal = edges.iter().all(|&e| are_equal(e, edges[0]));
             let along = (i - first) % n;
             let others = || (0..n).filter(|&j| j != along).map(|j| edges[j]);

@@ -6,6 +6,7 @@
 //! Shared operands are shared nodes; nothing is ever copied or expanded, and children always have
 //! smaller indices than their parents.
 
+pub(crate) mod axes;
 pub mod background;
 mod camera;
 mod change;

@@ -132,18 +132,22 @@ pub(crate) fn by_comment(p: &Params, n: usize) -> Vec<Fix> {
 /// The fixes for bounds whose distances are not the edges that a comment gives. The upper bounds must be those edges:
 /// written as `2 x 2 x 2`, or all equal where the comment speaks of a cube.
 fn by_size(p: &Params, n: usize) -> Vec<Fix> {
-    let near = |a: f64, b: f64| (a - b).abs() <= SIZE_REL_GAP * a.abs().max(b.abs());
     let edge = |i: usize| p.number(i + n) - p.number(i);
     let said = p.comments().find_map(|text| edges(text, n));
     let is_cube = n == 3 && p.is_called(&EQUAL);
-    let all_equal = |x: &dyn Fn(usize) -> f64| (1..n).all(|i| near(x(i), x(0)));
+    let all_equal = |x: &dyn Fn(usize) -> f64| (1..n).all(|i| are_equal(x(i), x(0)));
     let upper = |i: usize| p.number(i + n);
     // One distance may be symmetric by chance; a comment that gives the edge leaves no doubt.
     let symmetric = (0..n).filter(|&i| p.number(i) == -p.number(i + n)).count();
-    let is_edge = || p.comments().flat_map(numbers).any(|x| near(x, upper(0)));
+    let is_edge = || {
+        p.comments()
+            .flat_map(numbers)
+            .any(|x| are_equal(x, upper(0)))
+    };
     let is_meant = match said {
         Some(said) => {
-            (0..n).all(|i| near(said[i], upper(i))) && !(0..n).all(|i| near(said[i], edge(i)))
+            let are_edges = |of: &dyn Fn(usize) -> f64| (0..n).all(|i| are_equal(said[i], of(i)));
+            are_edges(&upper) && !are_edges(&edge)
         }
         // The comment speaks of a cube, but the edges differ.
         None => {
@@ -166,6 +170,11 @@ fn by_size(p: &Params, n: usize) -> Vec<Fix> {
 
 /// The greatest gap between two sizes that are equal but for rounding, as a share of the greater.
 const SIZE_REL_GAP: f64 = 1e-9;
+
+/// Whether two sizes are equal but for rounding.
+pub(super) fn are_equal(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SIZE_REL_GAP * a.abs().max(b.abs())
+}
 
 /// The `n` edges in a text, written as `2 x 2 x 2`. `None` if it has none.
 fn edges(text: &str, n: usize) -> Option<Vec<f64>> {

@@ -386,10 +386,15 @@ pub const HOLE: [&str; 14] = [
 /// Beginnings of words for a floor, without accents.
 pub const FLOOR: [&str; 4] = ["floor", "ground", "podlah", "zem"];
 
+/// The words of a text in lower case and without accents. Digits and signs separate words.
+pub fn of_text(text: &str) -> impl Iterator<Item = String> {
+    let words = text.split(|c: char| !c.is_alphabetic());
+    words.filter(|word| !word.is_empty()).map(plain)
+}
+
 /// Whether a word of the text begins with one of `beginnings`, accents left out.
 pub fn has(text: &str, beginnings: &[&str]) -> bool {
-    let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);
-    words.any(|word| beginnings.iter().any(|b| word.starts_with(b)))
+    of_text(text).any(|word| beginnings.iter().any(|b| word.starts_with(b)))
 }
 
 /// Words of a comment that says what something is not, or is at another time, without accents.
@@ -403,8 +408,7 @@ const DENIALS: [&str; 54] = [
 
 /// Whether a text has a word of denial or of another time.
 pub fn denies(text: &str) -> bool {
-    let mut words = text.split(|c: char| !c.is_alphabetic()).map(plain);
-    words.any(|word| DENIALS.contains(&word.as_str()))
+    of_text(text).any(|word| DENIALS.contains(&word.as_str()))
 }
 
 /// A word in lower case, without accents, and without spaces, hyphens, points, colons and quotation marks.

@@ -11,8 +11,7 @@ list-clauses = { $first } a { $last }
 here = zde
 guess = (odhad)
 or-fix = nebo { $title }
-fix-on-line = na řádku { $line } { $title }
-fix-on-line-if = na řádku { $line }, { $title }
+fix-on-line = na řádku { $line }: { $title }
 
 error = chyba
 warning = varování

@@ -15,7 +15,6 @@ here = here
 guess = (a guess)
 or-fix = or { $title }
 fix-on-line = on line { $line }, { $title }
-fix-on-line-if = on line { $line }, { $title }
 
 error = error
 warning = warning

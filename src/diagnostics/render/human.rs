@@ -400,11 +400,7 @@ impl Printer<'_> {
             let title = match fix.edits.first().map(|e| self.line(e.span)) {
                 // The fix is on another line than the finding.
                 Some(line) if !self.touches(fix, here) => {
-                    let message = match begins_with_clause(title) {
-                        true => "fix-on-line-if",
-                        false => "fix-on-line",
-                    };
-                    with_title(message, title.clone(), line)
+                    with_title("fix-on-line", title.clone(), line)
                 }
                 _ => title.clone(),
             };
@@ -440,12 +436,6 @@ impl Printer<'_> {
             }
         }
     }
-}
-
-/// Whether a title begins with a condition.
-fn begins_with_clause(title: &str) -> bool {
-    let first = title.split(' ').next().unwrap_or_default();
-    matches!(first, "if" | "where" | "pokud") || first.ends_with("-li")
 }
 
 fn severity_colour(severity: Severity) -> Color {

@@ -23,7 +23,7 @@ mod buried_shape;
 mod camera_in_solid;
 mod coincident_faces;
 pub(super) mod colour_out_of_range;
-pub(crate) mod comment_contradicts;
+mod comment_contradicts;
 mod comment_hides_records;
 mod degenerate_shape;
 mod duplicate_operand;
@@ -81,6 +81,9 @@ pub(super) struct Rule {
 
 use RecordKind as R;
 use ShapeKind as S;
+
+/// Largest gap between two places that are equal but for rounding, as a share of their distance from the origin.
+const PLACE_REL_GAP: f64 = 1e-9;
 
 const CUTS: &[RecordKind] = &[R::Intersection, R::Difference];
 const OPERATIONS: &[RecordKind] = &[R::Union, R::Intersection, R::Difference];

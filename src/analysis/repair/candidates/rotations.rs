@@ -4,8 +4,8 @@
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::records;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span};
-use crate::lint::rules::comment_contradicts::axes;
 use crate::lint::spelling::decimal;
+use crate::scene::axes::axis_by_comment;
 use crate::syntax::lexer::Token;
 use crate::syntax::quote;
 use crate::syntax::table::{Kind, RecordKind, RecordType};
@@ -214,7 +214,7 @@ impl LineContext<'_> {
         let is_one = finding.code == Code::E205 && self.ty().is_some_and(is_rotation);
         let mut comments = self.all.iter().filter(|t| t.kind().is_comment());
         let scene = &self.analysis.scene;
-        let said = || comments.find_map(|t| axes::said(t.text(self.text), scene));
+        let said = || comments.find_map(|t| axis_by_comment(t.text(self.text), scene));
         let axis = is_one.then(said)??.to_string();
         self.write(Habit::Digit, &[(*self.params().last()?, axis)])
     }

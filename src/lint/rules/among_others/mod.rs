@@ -7,7 +7,7 @@ use super::{OPTICS, TEXTURES_AND_COLOURS, optics_by_comment};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::syntax::table::{Effect, Kind, RecordKind, ShapeKind};
-use crate::syntax::words::{self, plain};
+use crate::syntax::words;
 use crate::syntax::{Record, quote};
 
 /// The fewest letters of a word by which a comment names an object.
@@ -111,17 +111,13 @@ fn is_ball(record: &Record) -> bool {
 fn is_meant(context: &Context, stray: &Stray, own: &Record) -> bool {
     let changes = changes(stray.record.kind);
     let p = context.record_params(stray.record);
-    let above = context.text[..p.span().start as usize].trim_end();
-    let has_heading = above.ends_with('#') && {
-        let line = above.rfind('\n').map_or(0, |at| at + 1);
-        above[line..].trim_start().starts_with(['#', '0'])
-    };
-    let has_gap = context.text[above.len()..p.span().start as usize]
-        .matches('\n')
-        .count()
-        > 1;
+    let has_heading = (context.document.comments_before(stray.record))
+        .next()
+        .is_some();
+    let above = &context.text[..p.span().start as usize];
+    let space = &above[above.trim_end().len()..];
     has_heading
-        || has_gap
+        || space.matches('\n').count() > 1
         || is_ball(stray.other) && changes == TURN
         || changes == PARTS && optics_by_comment::calls(context, stray.other)
         || p.own_comments()
@@ -131,10 +127,9 @@ fn is_meant(context: &Context, stray: &Stray, own: &Record) -> bool {
 /// Whether a comment names one object and not another one: by its shape, or by a word of a comment on it.
 fn names(context: &Context, said: &str, own: &Record, other: &Record) -> bool {
     let split = |text: &str| -> Vec<String> {
-        let words = text.split(|c: char| !c.is_alphabetic());
+        let words = words::of_text(text);
         words
-            .filter(|w| w.len() >= LEAST_LETTERS)
-            .map(plain)
+            .filter(|w| w.chars().count() >= LEAST_LETTERS)
             .collect()
     };
     let called = |record: &Record| -> FxHashSet<String> {

@@ -5,7 +5,7 @@ use crate::geometry::array::{length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
-use crate::lint::rules::camera_in_solid::moved;
+use crate::lint::rules::{PLACE_REL_GAP, camera_in_solid::moved};
 use crate::lint::spelling::opposite;
 use crate::scene::record::Params;
 use crate::scene::{Node, NodeId, Vec3, transformation};
@@ -21,8 +21,6 @@ use crate::trace::plan::unseen::sides::{Sides, placed};
 const TABLE: [&str; 2] = ["table", "stul"];
 /// Most transformations of an object for which another order is tried.
 const MAX_TRANSFORMATIONS: usize = 8;
-/// Largest gap between two places that are equal but for rounding, as a share of their distance from the origin.
-const PLACE_REL_GAP: f64 = 1e-9;
 
 /// Returns the case of the finding and the fixes, for a half-space that holds `parts`. The case is `None` unless the
 /// first fix exchanges two transformations of the object.

@@ -1,8 +1,8 @@
 //! A pure colour whose comment names another one.
 
-use super::words;
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::spelling::linear_part;
+use crate::scene::axes::words;
 use crate::scene::record::Params;
 use crate::syntax::words::{FLOOR, shapes};
 use crate::syntax::{colour_names, quote};

@@ -3,7 +3,7 @@
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Value};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
-use crate::lint::rules::buried_shape::hiders;
+use crate::lint::rules::{PLACE_REL_GAP, buried_shape::hiders};
 use crate::lint::spelling::{decimal, opposite};
 use crate::scene::record::Params;
 use crate::syntax::table::{Family, RecordKind, ShapeKind};
@@ -17,8 +17,6 @@ const OTHERS: [&str; 14] = [
     "normal", "camer", "kamer", "lamp", "light", "svetl", "up", "not", "was", "instead", "misto",
     "neni", "byl", "mirrored",
 ];
-/// Two places are the same but for rounding up to this part of them.
-const PLACE_REL_GAP: f64 = 1e-9;
 /// The place of the constant term in the record.
 const CONSTANT: usize = 3;
 

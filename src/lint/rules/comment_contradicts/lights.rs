@@ -2,10 +2,10 @@
 
 use rustc_hash::FxHashSet;
 
-use super::{is_beside, words};
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix};
 use crate::lint::Context;
-use crate::syntax::table::Family;
+use crate::scene::axes::{is_beside, words};
+use crate::syntax::table::{Family, RecordKind, RecordType};
 use crate::syntax::{Record, quote};
 
 /// Beginnings of words for ambient light, without accents.
@@ -34,14 +34,14 @@ pub(super) fn check(context: &Context, lamps: &[&Record], out: &mut Vec<Diagnost
     let moved: FxHashSet<u32> = context.records().filter(moves).map(|r| r.id).collect();
     for record in lamps.iter().filter(|r| !moved.contains(&r.id)) {
         let p = context.record_params(record);
-        let code = "-401";
+        let code = RecordType::of(RecordKind::AmbientLight).code.to_string();
         let span = p.type_span();
-        let fix = Fix::replace("fix", Applicability::Unsafe, span, code.to_owned());
+        let fix = Fix::replace("fix", Applicability::Unsafe, span, code.clone());
         out.push(
             Diagnostic::new(Code::W344, span)
                 .case("ambient")
                 .with("id", p.id.to_string())
-                .fix(fix.with("number", quote(code))),
+                .fix(fix.with("number", quote(&code))),
         );
     }
 }

@@ -1,6 +1,6 @@
 //! W344: a record whose comment names another light, axis, colour or height than its numbers.
 
-pub(crate) mod axes;
+mod axes;
 mod colours;
 mod heights;
 mod lights;
@@ -8,15 +8,6 @@ mod lights;
 use crate::diagnostics::Diagnostic;
 use crate::lint::Context;
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::syntax::words::plain;
-
-/// Words by which a comment speaks of something beside its record, or of what is not so, without accents.
-const BESIDE: [&str; 44] = [
-    "in", "on", "under", "behind", "for", "of", "with", "without", "and", "or", "not", "no",
-    "than", "then", "instead", "was", "old", "like", "plus", "next", "before", "after", "if", "v",
-    "ve", "na", "pod", "za", "u", "pro", "bez", "s", "se", "a", "i", "nebo", "ne", "neni", "misto",
-    "byla", "bylo", "pak", "potom", "jako",
-];
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !context.document.contents.comments {
@@ -43,14 +34,4 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         lights::check(context, &lamps, out);
         heights::check(context, &planes, out);
     }
-}
-
-/// The words of a comment without accents and in lower case; numbers are words, too.
-fn words(comment: &str) -> Vec<String> {
-    let words = comment.split(|c: char| !c.is_alphanumeric());
-    words.filter(|w| !w.is_empty()).map(plain).collect()
-}
-
-fn is_beside(word: &str) -> bool {
-    BESIDE.contains(&word)
 }

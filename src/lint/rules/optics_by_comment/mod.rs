@@ -10,7 +10,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix};
 use crate::lint::Context;
 use crate::scene::record::Params;
 use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
-use crate::syntax::words::{self, plain};
+use crate::syntax::words;
 use crate::syntax::{Record, quote};
 
 /// A kind of optics, and the words for it, without accents.
@@ -209,9 +209,9 @@ fn gives_optics(record: &Record) -> bool {
 /// The kind of optics that a comment claims for the object of a record. `None` if it claims none or both, or seems to
 /// be about another object.
 fn look(comment: &str, p: &Params) -> Option<&'static Look> {
-    let words = comment.split(|c: char| !c.is_alphabetic());
-    let words = words.filter(|w| !w.is_empty()).map(plain);
-    let words: Vec<String> = words.take(MAX_COMMENT_WORDS + 1).collect();
+    let words: Vec<String> = words::of_text(comment)
+        .take(MAX_COMMENT_WORDS + 1)
+        .collect();
     let is_beside = |w: &String| BESIDE.contains(&w.as_str());
     let is_shape = |w: &String| {
         let shapes = words::shapes(w);

@@ -4,7 +4,7 @@ use crate::diagnostics::{Applicability, Code, Diagnostic};
 use crate::lint::Context;
 use crate::lint::records::chosen_cameras;
 use crate::syntax::table::{RecordKind, ShapeKind};
-use crate::syntax::words::{self, FLOOR, denies, plain};
+use crate::syntax::words::{self, FLOOR, denies};
 
 /// Words that show that a comment speaks of something beside the floor, without accents.
 const BESIDE: [&str; 20] = [
@@ -49,9 +49,9 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
 }
 
 fn is_floor(comment: &str) -> bool {
-    let words = comment.split(|c: char| !c.is_alphabetic());
-    let words = words.filter(|w| !w.is_empty()).map(plain);
-    let words: Vec<String> = words.take(MAX_COMMENT_WORDS + 1).collect();
+    let words: Vec<String> = words::of_text(comment)
+        .take(MAX_COMMENT_WORDS + 1)
+        .collect();
     let has = |any: &[&str]| words.iter().any(|w| any.contains(&w.as_str()));
     words.len() <= MAX_COMMENT_WORDS
         && words::has(comment, &FLOOR)

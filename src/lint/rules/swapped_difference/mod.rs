@@ -183,9 +183,7 @@ fn finding(p: &Params, meant: &Meant) -> Diagnostic {
 
 /// The words of a comment, without accents.
 fn split(comment: &str) -> Vec<String> {
-    let words = comment.split(|c: char| !c.is_alphabetic());
-    let words = words.filter(|w| !w.is_empty()).map(plain);
-    words.take(MAX_COMMENT_WORDS).collect()
+    words::of_text(comment).take(MAX_COMMENT_WORDS).collect()
 }
 
 /// The words of a comment without accents, with its signs of subtraction, and with the IDs of the operands if the

@@ -7,15 +7,12 @@ use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value
 use crate::geometry::array::{length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
-use crate::lint::rules::TRANSFORMATIONS;
+use crate::lint::rules::{PLACE_REL_GAP, TRANSFORMATIONS};
 use crate::lint::spelling::near;
 use crate::scene::{Node, Vec3, transformation};
 use crate::solids::shapes::facts::Facts as _;
 use crate::syntax::table::{Effect, Family, Kind, RecordKind};
 use crate::syntax::{Record, quote};
-
-/// Largest distance between two places that are equal but for rounding, as a share of their distance from the origin.
-const PLACE_REL_GAP: f64 = 1e-9;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let mut chains: FxHashMap<u32, Vec<&Record>> = FxHashMap::default();
