@@ -41,9 +41,7 @@ pub fn certainty(scenes: &[&Scene], bars: &mut Bars) {
         };
         let ours = |numbers| {
             let settings = settings(numbers);
-            let stage = tracer
-                .stage(&camera, &settings)
-                .expect("the camera takes pictures");
+            let stage = tracer.stage(&settings);
             let drawn = tracer.pixels(&camera, &settings, stage.as_ref(), drawn);
             drawn.expect("the camera takes pictures")
         };

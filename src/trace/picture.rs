@@ -11,6 +11,7 @@ use super::compile::cannot_draw;
 use super::costs::CostMap;
 use super::film::Film;
 use super::kernel;
+use super::kernel::Stage;
 use super::plan::Effect;
 use super::precision::Precision;
 use super::sampling::sample;
@@ -184,21 +185,39 @@ impl Tracer {
         settings: &Settings,
         progress: impl Fn() + Sync,
     ) -> Result<Picture, Error> {
+        let stage = self.stage(settings);
+        self.render_on(stage.as_ref(), camera, settings, progress)
+    }
+
+    /// Takes a picture as [`render`](Self::render) does, with the quick kernel if there is a stage: see
+    /// [`stage`](Self::stage). Several pictures share one stage.
+    ///
+    /// # Errors
+    ///
+    /// As [`render`](Self::render).
+    pub(crate) fn render_on(
+        &self,
+        stage: Option<&Stage>,
+        camera: &Camera,
+        settings: &Settings,
+        progress: impl Fn() + Sync,
+    ) -> Result<Picture, Error> {
         match settings.numbers {
-            Numbers::F32 => self.render_in::<f32>(camera, settings, &progress),
-            Numbers::F64 => self.render_in::<f64>(camera, settings, &progress),
-            Numbers::Dd => self.render_in::<Dd>(camera, settings, &progress),
+            Numbers::F32 => self.render_in::<f32>(stage, camera, settings, &progress),
+            Numbers::F64 => self.render_in::<f64>(stage, camera, settings, &progress),
+            Numbers::Dd => self.render_in::<Dd>(stage, camera, settings, &progress),
         }
     }
 
     fn render_in<R: Precision>(
         &self,
+        stage: Option<&Stage>,
         camera: &Camera,
         settings: &Settings,
         progress: &(dyn Fn() + Sync),
     ) -> Result<Picture, Error> {
         self.drawing(camera, settings, |drawing| {
-            drawing.picture::<R>(settings, progress)
+            drawing.picture::<R>(stage, settings, progress)
         })
     }
 
@@ -267,12 +286,16 @@ pub(super) struct Drawing<'t> {
 
 impl<'t> Drawing<'t> {
     /// Draws the picture, or the part of it that the settings ask for.
-    fn picture<R: Precision>(&self, settings: &Settings, progress: &(dyn Fn() + Sync)) -> Picture {
+    fn picture<R: Precision>(
+        &self,
+        stage: Option<&Stage>,
+        settings: &Settings,
+        progress: &(dyn Fn() + Sync),
+    ) -> Picture {
         let Settings { width, height, .. } = *settings;
         let crop = settings.part();
         let samples = settings.first_samples();
-        let stage = self.quick_stage(settings);
-        let quick = stage.as_ref().map(|stage| self.scene(stage));
+        let quick = self.quick(stage);
         let quick = quick.as_ref();
         let Some(tolerance) = settings.tolerance else {
             let draw = |pen: &mut Pen<R>, pixels: &[[u32; 2]]| pen.fixed(pixels, samples);

@@ -59,15 +59,6 @@ pub trait Pixels {
 }
 
 impl Tracer {
-    /// The scene set up for the quick kernel; `None` if the kernel does not draw pictures with these settings.
-    ///
-    /// # Errors
-    ///
-    /// As [`Tracer::render`].
-    pub fn stage(&self, camera: &Camera, settings: &Settings) -> Result<Option<Stage<'_>>, Error> {
-        self.drawing(camera, settings, |drawing| drawing.quick_stage(settings))
-    }
-
     /// Calls `draw` with an object that draws single pixels of a picture, with the quick kernel if there is a stage.
     /// The settings `samples`, `crop`, `wanted` and `stop` do not matter.
     ///
@@ -96,7 +87,7 @@ impl Tracer {
         draw: impl FnOnce(&mut dyn Pixels) -> T,
     ) -> Result<T, Error> {
         self.drawing(camera, settings, |drawing| {
-            let quick = stage.map(|stage| drawing.scene(stage));
+            let quick = drawing.quick(stage);
             draw(&mut Single {
                 pen: drawing.pen::<R>(quick.as_ref()),
                 walkers: drawing.tracer.walker::<R>(),

@@ -157,6 +157,7 @@ pub(super) fn draw(
         Error::at(span, why)
     };
     (args.memory.confine(&mut tracer, taken, threads)).map_err(crowded)?;
+    let stage = tracer.stage(&pictures.rows(band.clone()));
     seconds.build = start.elapsed().as_secs_f64();
 
     let start = Instant::now();
@@ -166,7 +167,7 @@ pub(super) fn draw(
     for (i, camera) in cameras.iter().enumerate() {
         let mut draw = |rows: Range<u32>| {
             let settings = pictures.rows(rows);
-            tracer.render(camera, &settings, || bar.inc(1))
+            tracer.render_on(stage.as_ref(), camera, &settings, || bar.inc(1))
         };
         let before = unfinished.get(i).filter(|_| args.resume);
         drawn.push(match before {

@@ -273,7 +273,7 @@ impl<'s> Ready<'s> {
     /// Adds the stage of the quick kernel, if that kernel draws the picture.
     fn staged(mut self) -> Result<Ready<'s>, Error> {
         if let Kernel::Ours(numbers) = self.settings.kernel {
-            self.stage = self.tracer.stage(self.camera, &self.taken(numbers))?;
+            self.stage = self.tracer.stage(&self.taken(numbers));
         }
         Ok(self)
     }

@@ -2,7 +2,7 @@
 
 use super::cuboid::{self, Cuboids};
 use super::cull::Cull;
-use super::lanes::{Lanes, Number};
+use super::lanes::{LANES, Lanes, Number};
 use super::leaf::{Kind, Leaf};
 use super::plane::{self, Planes};
 use super::probe::{Chords, Probe};
@@ -10,6 +10,7 @@ use super::quadric::{Quadric, Quadrics};
 use super::query::{BENT, End};
 use super::rectangle::Rectangles;
 use super::sphere::Spheres;
+use super::triangle::{self, Triangles};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
@@ -43,39 +44,46 @@ pub enum Shapes {
     Rectangles(Rectangles),
     /// The lines are in the scene's space; each quadric has its own map into the space of its shape.
     Quadrics(Box<Quadrics>),
+    Triangles(Box<Triangles>),
     /// A single leaf, without lanes.
     Single,
 }
 
-/// Puts leaves into new blocks: up to four of one kind and one placement share a block.
-pub fn in_blocks(leaves: &[Leaf], items: &[u32], blocks: &mut Vec<Block>) {
-    let mut rest: Vec<u32> = items.to_vec();
-    while let Some(&first) = rest.first() {
-        let like = |i: &u32| {
-            let [a, b] = [first, *i].map(|i| &leaves[i as usize]);
-            a.kind == b.kind && a.placement == b.placement
-        };
-        let lanes = match leaves[first as usize].kind {
+/// Puts leaves with boxes around them into new blocks: up to four of one kind and one placement share a block.
+pub fn in_blocks(leaves: &[Leaf], mut items: Vec<(u32, Aabb)>, blocks: &mut Vec<Block>) {
+    let sort = |&(leaf, _): &(u32, Aabb)| {
+        let leaf = &leaves[leaf as usize];
+        (leaf.kind, leaf.placement)
+    };
+    items.sort_by_key(sort);
+    for alike in items.chunk_by(|a, b| sort(a) == sort(b)) {
+        let lanes = match leaves[alike[0].0 as usize].kind {
             Kind::Other | Kind::Csg => 1,
-            _ => 4,
+            _ => LANES,
         };
-        let own: Vec<u32> = rest.iter().copied().filter(like).take(lanes).collect();
-        rest.retain(|i| !own.contains(i));
-        blocks.push(block(leaves, &own));
+        blocks.extend(alike.chunks(lanes).map(|own| block(leaves, own)));
     }
 }
 
+/// Puts leaves without boxes into new blocks.
+pub fn in_loose_blocks(leaves: &[Leaf], loose: &[u32], blocks: &mut Vec<Block>) {
+    let items = loose.iter().map(|&leaf| (leaf, Aabb::ALL));
+    in_blocks(leaves, items.collect(), blocks);
+}
+
 /// A block of up to four leaves of one kind and one placement.
-fn block(leaves: &[Leaf], numbers: &[u32]) -> Block {
-    let all: Vec<&Leaf> = numbers.iter().map(|&i| &leaves[i as usize]).collect();
-    let mut own = [u32::MAX; 4];
-    own[..numbers.len()].copy_from_slice(numbers);
+fn block(leaves: &[Leaf], items: &[(u32, Aabb)]) -> Block {
+    let all: Vec<&Leaf> = items.iter().map(|&(i, _)| &leaves[i as usize]).collect();
+    let mut own = [u32::MAX; LANES];
+    for (own, &(leaf, _)) in own.iter_mut().zip(items) {
+        *own = leaf;
+    }
     Block {
         shapes: shapes(&all),
         placement: all[0].placement,
         leaves: own,
         extent: all.iter().fold(0.0, |most, leaf| leaf.extent.max(most)),
-        bounds: Aabb::ALL,
+        bounds: (items.iter()).fold(Aabb::EMPTY, |all, (_, bounds)| all.hull(bounds)),
         apart: Box::default(),
         is_dark: all.iter().any(|leaf| leaf.is_dark()),
         cull: None,
@@ -105,8 +113,12 @@ pub fn shapes(all: &[&Leaf]) -> Shapes {
             Shapes::Rectangles(Rectangles::new(&all.iter().map(four).collect::<Vec<_>>()))
         }
         Kind::Quadric => {
-            let quadrics: Vec<&Quadric> = all.iter().filter_map(|l| l.quadric.as_deref()).collect();
+            let quadrics: Vec<&Quadric> = all.iter().filter_map(|l| l.quadric()).collect();
             Shapes::Quadrics(Box::new(Quadrics::new(&quadrics)))
+        }
+        Kind::Triangle => {
+            let corners: Vec<&[Vec3; 3]> = all.iter().map(|leaf| leaf.corners()).collect();
+            Shapes::Triangles(Box::new(Triangles::new(&corners)))
         }
         Kind::Other | Kind::Csg => Shapes::Single,
     }
@@ -130,6 +142,7 @@ impl Shapes {
             Shapes::Planes(planes) => planes.chords(probe, from, to),
             Shapes::Rectangles(rectangles) => rectangles.chords(probe, from, to),
             Shapes::Quadrics(quadrics) => quadrics.chords(probe, from, to),
+            Shapes::Triangles(triangles) => triangles.chords(probe, from, to),
             Shapes::Single => Chords::NONE,
         }
     }
@@ -165,6 +178,7 @@ impl Leaf {
                 };
                 (number(BENT) + flat) * number(stretch) * size()
             }
+            Kind::Triangle => triangle::rough(probe, &self.numbers, self.extent, t),
             Kind::Cuboid => cuboid::rough(probe, &self.numbers, self.extent, t, is_near),
             Kind::Plane | Kind::HalfSpace => plane::rough(probe, *self.first(), self.extent, t),
             Kind::Rectangle => {
@@ -202,6 +216,7 @@ impl Leaf {
             | Kind::HalfSpace
             | Kind::Rectangle
             | Kind::Quadric
+            | Kind::Triangle
             | Kind::Other
             | Kind::Csg => {
                 return None;

@@ -1,7 +1,7 @@
 //! Intersections and differences, of shapes or of other operations. The places where a ray crosses the shapes are put
 //! in order; at each place the counts of the gates tell whether the whole begins or ends there.
 
-use super::block::{Block, Shapes, in_blocks};
+use super::block::{Block, Shapes, in_loose_blocks};
 use super::expand::{Gate, Operands};
 use super::lanes::{LANES, Lanes};
 use super::leaf::{Kind, Leaf};
@@ -58,7 +58,7 @@ impl Csg {
         let extent = extents.fold(0.0, f64::max);
         let spans = Spans::new(leaves, &operands);
         let first = blocks.len() as u32;
-        in_blocks(leaves, &operands.firsts, blocks);
+        in_loose_blocks(leaves, &operands.firsts, blocks);
         let firsts = (first..blocks.len() as u32).collect();
         let (mut loose, mut boxes) = (operands.loose, operands.boxes);
         if boxes.len() <= MAX_LOOSE {

@@ -4,7 +4,7 @@ mod operands;
 
 pub use operands::{Gate, Operands};
 
-use super::leaf::{self, Colour, Kind, Leaf, Way, is_usual, with_lanes};
+use super::leaf::{self, Colour, Form, Kind, Leaf, Way, is_usual, with_lanes};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Texture};
@@ -83,6 +83,8 @@ impl Leaves {
         let mut leaves = Leaves {
             chains: vec![Vec::new()],
             numbers: [(Vec::new(), 0)].into_iter().collect(),
+            all: Vec::with_capacity(graph.parts.len()),
+            paths: Vec::with_capacity(graph.parts.len()),
             ..Leaves::default()
         };
         let mut pending = vec![(graph.root(), Above::default())];
@@ -185,18 +187,16 @@ impl Leaves {
         };
         let is_usual = |&at: &u32| is_usual(&graph.placements[at as usize]);
         let lanes = match placement.filter(is_usual) {
-            Some(placement) => {
-                with_lanes(shape, is_clear).map(|(kind, numbers)| (kind, numbers, placement))
-            }
+            Some(placement) => with_lanes(shape, is_clear).map(|lanes| (lanes, placement)),
             None => None,
         };
-        let (mut kind, mut numbers, placement) = lanes.unwrap_or((Kind::Other, [0.0; 8], 0));
+        let none = ((Kind::Other, [0.0; 8], Form::Plain), 0);
+        let ((mut kind, mut numbers, mut form), placement) = lanes.unwrap_or(none);
         let mut extent = graph.extents[primitive as usize];
-        let mut quadric = None;
         if kind == Kind::Other
             && let Some((own, of_it, size)) = leaf::quadric(graph, &above.chain, shape)
         {
-            (kind, numbers, quadric) = (Kind::Quadric, of_it, Some(own));
+            (kind, numbers, form) = (Kind::Quadric, of_it, Form::Quadric(own));
             extent = extent.max(size);
         }
         let albedo = match optics.kd {
@@ -218,7 +218,7 @@ impl Leaves {
         self.all.push(Leaf {
             kind,
             numbers,
-            quadric,
+            form,
             primitive,
             chain,
             placement,

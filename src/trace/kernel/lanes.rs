@@ -207,6 +207,12 @@ impl V3 {
         self.0[0] * other.0[0] + self.0[1] * other.0[1] + self.0[2] * other.0[2]
     }
 
+    #[inline(always)]
+    pub fn cross(self, other: V3) -> V3 {
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        V3([b * z - c * y, c * x - a * z, a * y - b * x])
+    }
+
     /// The product, component by component.
     #[inline(always)]
     pub fn times(self, other: V3) -> V3 {

@@ -1,6 +1,7 @@
 //! A shape of the scene as the kernel sees it.
 
 use super::quadric::Quadric;
+use super::triangle;
 use super::way_in::WayIn;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::exponent::{exponent, shifted};
@@ -11,7 +12,7 @@ use crate::trace::shapes::Primitive;
 use crate::trace::shapes::quadric::Axial;
 
 /// Kinds of shapes. Each kind says what [`Leaf::numbers`] holds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// x, y, z of the centre and the radius.
     Sphere,
@@ -25,8 +26,11 @@ pub enum Kind {
     /// The least x and y, and the greatest x and y.
     Rectangle,
     /// A vector across the flat ends, with a largest component of 1, or zeros; then how much more the map stretches
-    /// along one axis than along another. See [`Leaf::quadric`].
+    /// along one axis than along another. See [`Leaf::form`].
     Quadric,
+    /// The unit normal; then the square of the largest component of two edges, divided by twice the area. See
+    /// [`Leaf::form`].
+    Triangle,
     /// A shape without lanes, which is asked one ray at a time by the arbiter's formulas.
     Other,
     /// An intersection or a difference of shapes.
@@ -34,13 +38,14 @@ pub enum Kind {
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 8] = [
+pub const KINDS: [Kind; 9] = [
     Kind::Sphere,
     Kind::Cuboid,
     Kind::Plane,
     Kind::HalfSpace,
     Kind::Rectangle,
     Kind::Quadric,
+    Kind::Triangle,
     Kind::Other,
     Kind::Csg,
 ];
@@ -98,14 +103,23 @@ impl Way {
     }
 }
 
+/// What a kind needs besides its numbers.
+#[derive(Debug, Clone)]
+pub enum Form {
+    /// The numbers say all, or the shape has no lanes.
+    Plain,
+    Quadric(Box<Quadric>),
+    /// The vertices of a triangle.
+    Triangle(Box<[Vec3; 3]>),
+}
+
 /// A shape of the scene, and what it is made of.
 #[derive(Debug, Clone)]
 pub struct Leaf {
     pub kind: Kind,
     /// The parameters of its kind: see [`Kind`].
     pub numbers: [f64; 8],
-    /// The form of a convex solid of second degree; `None` for other kinds.
-    pub quadric: Option<Box<Quadric>>,
+    pub form: Form,
     /// Index into [`Graph::primitives`](crate::trace::graph::Graph::primitives), or into
     /// [`Stage::csgs`](super::stage::Stage::csgs).
     pub primitive: u32,
@@ -158,6 +172,24 @@ impl Leaf {
         three(&self.numbers, 0)
     }
 
+    /// The form of a convex solid of second degree; `None` for other kinds.
+    #[inline(always)]
+    pub fn quadric(&self) -> Option<&Quadric> {
+        match &self.form {
+            Form::Quadric(quadric) => Some(quadric),
+            Form::Plain | Form::Triangle(_) => None,
+        }
+    }
+
+    /// The vertices of a triangle; zeros for other kinds.
+    #[inline(always)]
+    pub fn corners(&self) -> &[Vec3; 3] {
+        match &self.form {
+            Form::Triangle(corners) => corners,
+            Form::Plain | Form::Quadric(_) => &[Vec3::ZERO; 3],
+        }
+    }
+
     /// Whether light that meets it gets no farther: it is opaque, and nothing transparent is near it.
     #[inline(always)]
     pub fn is_dark(&self) -> bool {
@@ -188,8 +220,8 @@ const LEAST: f64 = 1e-30;
 /// Maps that stretch by more than this along one axis, compared with another, are not for lanes.
 const STRETCH: f64 = 100.0;
 
-/// The kind and the numbers of a shape that has lanes; `None` for other shapes and for unusual numbers.
-pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 8])> {
+/// The kind, the numbers and the form of a shape that has lanes; `None` for other shapes and for unusual numbers.
+pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 8], Form)> {
     let (kind, numbers, sizes) = match primitive {
         Primitive::Sphere(sphere) => {
             let ([x, y, z], r) = sphere.numbers();
@@ -211,11 +243,12 @@ pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 
         Primitive::HalfSpace(solid) if !is_clear => {
             (Kind::HalfSpace, of_plane(solid.abcd()), Vec::new())
         }
+        Primitive::Triangle(triangle) => return triangle::with_lanes(triangle),
         _ => return None,
     };
     let usual = |x: &f64| (LEAST..LEAST.recip()).contains(x);
     let are_usual = numbers.iter().all(|&x| x == 0.0 || usual(&x.abs()));
-    (are_usual && sizes.iter().all(usual)).then_some((kind, numbers))
+    (are_usual && sizes.iter().all(usual)).then_some((kind, numbers, Form::Plain))
 }
 
 /// A convex solid of second degree below a chain of placements, with its numbers and its extent. `None` for other

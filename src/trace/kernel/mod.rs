@@ -24,8 +24,8 @@
 //! Each wave goes through three phases.
 //!
 //! 1. [`search`] finds the leaf that each ray meets first, with bounds that are far wider than any rounding. Spheres,
-//!    boxes, planes, rectangles and convex solids of second degree have lanes ([`sphere`], [`cuboid`], [`plane`],
-//!    [`rectangle`], [`quadric`]): a ray is tested against four of them at once. Other shapes are asked one by one, by
+//!    boxes, planes, rectangles, triangles and convex solids of second degree have lanes ([`sphere`], [`cuboid`],
+//!    [`plane`], [`rectangle`], [`triangle`], [`quadric`]): a ray is tested against four of them at once. Other shapes are asked one by one, by
 //!    the arbiter's own formulas ([`scalar`]). [`csg`] merges the crossings of a ray with the operands of an
 //!    intersection; if the operands are a few shapes with lanes, [`spans`] finds the first place without a merge. Rays
 //!    that go nearly the same way are a bundle: they share one walk through the tree ([`bundle`]), and four of them at
@@ -92,6 +92,7 @@ mod stage;
 #[cfg(test)]
 mod tests;
 mod torus;
+mod triangle;
 mod wave;
 mod way_in;
 

@@ -66,7 +66,7 @@ const LEAST_SCALE: f64 = 1e-100;
 /// near end for others. `None` unless each leaf has an [`Axial`] form.
 #[inline(never)]
 pub fn meet(stage: &Stage, leaves: [&Leaf; LANES], met: [Met<'_>; LANES]) -> Option<Found> {
-    let axial = |lane: usize| leaves[lane].quadric.as_ref()?.axial.as_ref();
+    let axial = |lane: usize| leaves[lane].quadric()?.axial.as_ref();
     let [Some(a), Some(b), Some(c), Some(d)] = each([0, 1, 2, 3], axial) else {
         return None;
     };

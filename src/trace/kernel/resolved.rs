@@ -19,6 +19,9 @@ pub struct Resolved {
 
 /// A kind of shape of which four rays meet one each.
 pub trait Meet {
+    /// Whether a shape may have normals of its own for shading.
+    const IS_SMOOTH: bool = false;
+
     /// The points where rays meet their leaves, for rays in the spaces of the leaves: at the far ends of chords where
     /// `exit` is set, elsewhere at the near ends.
     fn meet(leaves: [&Leaf; LANES], origin: V3, direction: V3, exit: Lanes) -> Resolved;

@@ -258,26 +258,10 @@ impl Stage<'_> {
         let chains = self.chains_of(leaves);
         let lines = chains.enter(origin, direction).lines();
         let mut found = [NOWHERE; LANES];
-        let mut bent = [None; LANES];
         for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
             let (leaf, root) = (leaves[lane], roots[lane]);
             let primitive = &self.graph.primitives[leaf.primitive as usize];
             found[lane] = primitive.intersect().locate(&lines[lane], root);
-            if self.graph.without.smooth_normals {
-                continue;
-            }
-            let Some(local) = primitive
-                .shape()
-                .shading_normal(found[lane].point, root.face)
-            else {
-                continue;
-            };
-            work.smooth_normal += 1;
-            let placements = self.chains[leaf.chain as usize].iter().rev();
-            bent[lane] = Some(placements.fold(local, |normal, &placement| {
-                let maps = &self.graph.placements[placement as usize];
-                maps.back.unit_normal(normal)
-            }));
         }
         let all = |vector: fn(&Located) -> &[f64; 3]| V3::gathered(found.each_ref(), vector);
         let place = chains.leave(chain::Located {
@@ -289,15 +273,8 @@ impl Stage<'_> {
         let is_finite = |v: V3| is_less(v.abs().max_component(), Lanes::splat(f64::INFINITY));
         let has_normal = mask(place.normal.any());
         let known = place.known & is_finite(place.point) & is_finite(place.error) & has_normal;
-        let mut shading = place.normal;
-        if bent.iter().any(Option::is_some) {
-            let normals = place.normal.columns();
-            let each_normal = each([0, 1, 2, 3], |lane: usize| {
-                let normal = Vec3::new(normals[0][lane], normals[1][lane], normals[2][lane]);
-                bent[lane].map_or(normal, |n| beside(n, normal))
-            });
-            shading = V3::gathered(each_normal.each_ref(), |normal| &normal.0);
-        }
+        let local = |lane: usize| (found[lane].point, roots[lane].face);
+        let shading = self.smoothed((leaves, live), local, place.normal, work);
         Places {
             resolved: Resolved {
                 clear: known,
@@ -309,6 +286,45 @@ impl Stage<'_> {
             shading,
             local: each(found, |found| found.point),
         }
+    }
+
+    /// The unit normals for shading at four points of surfaces. `place` gives for each lane the point in the space of its
+    /// shape, and the face; `normal` are the unit normals of the surfaces.
+    #[inline]
+    pub fn smoothed(
+        &self,
+        (leaves, live): ([&Leaf; LANES], u32),
+        place: impl Fn(usize) -> (Vec3, u32),
+        normal: V3,
+        work: &mut Work,
+    ) -> V3 {
+        let mut bent = [None; LANES];
+        for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
+            if self.graph.without.smooth_normals {
+                continue;
+            }
+            let leaf = leaves[lane];
+            let primitive = &self.graph.primitives[leaf.primitive as usize];
+            let (point, face) = place(lane);
+            let Some(local) = primitive.shape().shading_normal(point, face) else {
+                continue;
+            };
+            work.smooth_normal += 1;
+            let placements = self.chains[leaf.chain as usize].iter().rev();
+            bent[lane] = Some(placements.fold(local, |normal, &placement| {
+                let maps = &self.graph.placements[placement as usize];
+                maps.back.unit_normal(normal)
+            }));
+        }
+        if bent.iter().all(Option::is_none) {
+            return normal;
+        }
+        let normals = normal.columns();
+        let each_normal = each([0, 1, 2, 3], |lane: usize| {
+            let normal = Vec3::new(normals[0][lane], normals[1][lane], normals[2][lane]);
+            bent[lane].map_or(normal, |n| beside(n, normal))
+        });
+        V3::gathered(each_normal.each_ref(), |normal| &normal.0)
     }
 
     /// The share of diffuse light at a point of a leaf's surface: `point` in the scene's space, `local` in the leaf's

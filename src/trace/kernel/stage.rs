@@ -1,6 +1,6 @@
 //! A scene as the kernel sees it: shapes in blocks, blocks in a tree.
 
-use super::block::{Block, Shapes, in_blocks, shapes};
+use super::block::{Block, Shapes, in_blocks, in_loose_blocks, shapes};
 use super::chain::Chains;
 use super::csg::Csg;
 use super::cull::Cull;
@@ -15,7 +15,6 @@ use crate::geometry::bvh::Bvh;
 use crate::geometry::wide_bvh::{Frame, Tree};
 use crate::trace::graph::Graph;
 use crate::trace::shapes::outline::Outline;
-use rustc_hash::FxHashMap;
 
 /// Blocks that a ray may meet: some in a tree, some without bounds.
 #[derive(Debug)]
@@ -132,9 +131,9 @@ impl Forest {
     ) -> Forest {
         let frame = Frame::around(boxes.iter().map(|(_, bounds)| bounds));
         let first = blocks.len() as u32;
-        in_blocks(leaves, loose, blocks);
+        in_loose_blocks(leaves, loose, blocks);
         let loose = (first..blocks.len() as u32).collect();
-        let bounds = clustered(leaves, boxes, blocks);
+        let bounds = clustered(leaves, &boxes, blocks);
         Forest {
             loose,
             tree: Tree::new(bounds, &frame),
@@ -144,24 +143,19 @@ impl Forest {
 }
 
 /// Puts shapes that are near each other into blocks. Returns the number of each block with its bounds.
-fn clustered(
-    leaves: &[Leaf],
-    boxes: Vec<(u32, Aabb)>,
-    blocks: &mut Vec<Block>,
-) -> Vec<(u32, Aabb)> {
-    let all: FxHashMap<u32, Aabb> = boxes.iter().copied().collect();
-    let hierarchy = Bvh::with_leaves(boxes, 4);
-    let mut bounds = Vec::new();
-    let clusters = hierarchy.nodes.iter().filter(|node| node.count > 0);
-    for node in clusters {
-        let items = &hierarchy.items[node.index as usize..][..node.count as usize];
-        let before = blocks.len();
-        in_blocks(leaves, items, blocks);
-        for (i, block) in blocks.iter_mut().enumerate().skip(before) {
-            let own = block.leaves.iter().filter_map(|leaf| all.get(leaf));
-            block.bounds = own.fold(Aabb::EMPTY, |all, b| all.hull(b));
-            bounds.push((i as u32, block.bounds));
-        }
+fn clustered(leaves: &[Leaf], boxes: &[(u32, Aabb)], blocks: &mut Vec<Block>) -> Vec<(u32, Aabb)> {
+    let places = (0..)
+        .zip(boxes)
+        .map(|(place, &(_, bounds))| (place, bounds));
+    let hierarchy = Bvh::with_leaves(places.collect(), LANES);
+    let first = blocks.len();
+    for node in hierarchy.nodes.iter().filter(|node| node.count > 0) {
+        let places = &hierarchy.items[node.index as usize..][..node.count as usize];
+        let items = places.iter().map(|&place| boxes[place as usize]);
+        in_blocks(leaves, items.collect(), blocks);
     }
-    bounds
+    (first as u32..)
+        .zip(&blocks[first..])
+        .map(|(number, block)| (number, block.bounds))
+        .collect()
 }

@@ -2,16 +2,17 @@
 
 use super::lanes::{Lanes, V3, mask};
 use super::resolved::Resolved;
-use super::{cuboid, plane, rectangle, sphere};
+use super::{cuboid, plane, rectangle, sphere, triangle};
 use crate::geometry::Matrix;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::line::Line;
 use crate::geometry::vec::Vec3;
-use crate::scene::Geometry;
+use crate::scene::{Geometry, TriangleNormals};
 use crate::testing::{random, scene};
 use crate::trace::graph::Graph;
 use crate::trace::kernel::leaf::{Kind, Leaf};
 use crate::trace::kernel::stage::Stage;
+use crate::trace::shapes::triangle::Triangle;
 use crate::trace::shapes::{Primitive, Root, Roots};
 use crate::trace::stats::Work;
 use crate::trace::{Picture, Settings, Tracer, selected_camera};
@@ -157,6 +158,11 @@ fn resolved(geometry: &Geometry, line: &Line, exit: bool) -> Resolved {
             };
             plane::resolve(o, d, &plane)
         }
+        Geometry::Triangle { ref vertices, .. } => {
+            let shape = Triangle::new(**vertices, TriangleNormals::Flat);
+            let normal = shape.normal().expect("it has an area");
+            triangle::resolve(o, d, shape.vertices().map(four), four(normal))
+        }
         _ => rectangle::resolve(o, d),
     }
 }
@@ -166,9 +172,9 @@ fn resolved(geometry: &Geometry, line: &Line, exit: bool) -> Resolved {
 #[test]
 fn lanes_have_the_bits_of_shapes() {
     let mut number = numbers();
-    let mut sure = [0; 4];
-    for i in 0..40_000 {
-        let kind = i % 4;
+    let mut sure = [0; 5];
+    for i in 0..50_000 {
+        let kind = i % 5;
         let mut vector = || Vec3::new(number(), number(), number());
         let (a, b, c) = (vector(), vector(), vector());
         let geometry = match kind {
@@ -181,6 +187,10 @@ fn lanes_have_the_bits_of_shapes() {
                 max: (a + b.abs() + Vec3::ONE * 0.01).0,
             },
             2 => Geometry::Plane([a[0], a[1], a[2], b[0]]),
+            3 => Geometry::Triangle {
+                vertices: Box::new([(a + b).0, (a + c).0, (a - b - c * 1.5).0]),
+                normals: TriangleNormals::Flat,
+            },
             _ => Geometry::Rectangle {
                 min: [-1.0, -0.5],
                 max: [0.5 + a[0].abs(), 0.7],
@@ -240,7 +250,7 @@ fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
         let [a, b, c, d] = [id + 1, id + 2, id + 4, id + 5];
         let mut real = |by: f64| (number() * by * 100.0).round() / 100.0;
         let r = real(1.0).abs() + 0.3;
-        match (i + seed) % 12 {
+        match (i + seed) % 14 {
             0 => writeln!(text, "{id} 11 0 0 0 {r}"),
             1 => writeln!(text, "{id} 12 {0} -0.5 {0} {r} 0.5 {r}", -r),
             2 => writeln!(text, "{id} 5 -1 -1 {r} 1"),
@@ -271,7 +281,13 @@ fn text(number: &mut impl FnMut() -> f64, seed: usize) -> String {
                 id + 6,
                 id + 7
             ),
-            _ => writeln!(text, "{id} 11 0 0 0 {r}\n{id} -3 1 {r} 1.2"),
+            11 => writeln!(text, "{id} 11 0 0 0 {r}\n{id} -3 1 {r} 1.2"),
+            12 => writeln!(text, "{id} 6 -1 -1 0 1 {} 0 0 {r} 1", -r),
+            _ => writeln!(
+                text,
+                "{a} 8 -1 -1 0 1 -1 0 0 1 {r} -1 0 1 1 0 1 0 1 1\n\
+                 {b} 7 -1 -1 0 1 -1 0 0 -{r} 1 0.1 0.2 1\n{id} -101 {a} {b}"
+            ),
         }
         .unwrap();
         let turn = [90.0, real(180.0)][i % 2];

@@ -22,6 +22,7 @@ use super::search::Met;
 use super::shade::{Four, Hits};
 use super::sphere::Spheres;
 use super::stage::Stage;
+use super::triangle::Triangles;
 use crate::geometry::array::each;
 use crate::geometry::vec::Vec3;
 use crate::trace::arbiter::Arbiter;
@@ -217,6 +218,7 @@ impl Tile {
                             self.hits::<Planes>(scene, (&four, live), is_placed);
                         }
                         Kind::Rectangle => self.hits::<Rectangles>(scene, (&four, live), is_placed),
+                        Kind::Triangle => self.hits::<Triangles>(scene, (&four, live), is_placed),
                         Kind::Quadric => self.hits_of_quadrics(scene, &wave, &four, live),
                         Kind::Other | Kind::Csg => {
                             self.hits_one_by_one(scene, (&four, live));
@@ -349,11 +351,17 @@ impl Tile {
         let live = self.known(four, live, &resolved);
         let mut hits = Hits::new(four, live, &resolved);
         let is_painted = four.leaves.iter().any(|leaf| leaf.colour != Colour::Plain);
+        let lane =
+            |columns: &[[f64; LANES]; 3], i: usize| Vec3(each([0, 1, 2], |k: usize| columns[k][i]));
+        if let Some(local) = local.filter(|_| S::IS_SMOOTH) {
+            let points = local.point.columns();
+            let place = |i: usize| (lane(&points, i), 0);
+            let normal = hits.shading;
+            hits.shading =
+                (scene.stage).smoothed((four.leaves, live), place, normal, &mut self.work);
+        }
         if let Some(local) = local.filter(|_| is_painted) {
             let [point, normal] = [local.point, local.normal].map(V3::columns);
-            let lane = |columns: &[[f64; LANES]; 3], i: usize| {
-                Vec3(each([0, 1, 2], |k: usize| columns[k][i]))
-            };
             let place = |i: usize| (lane(&point, i), S::face(lane(&normal, i)));
             hits.albedo = self.albedo(scene.stage, (four, live), &hits, place);
         }

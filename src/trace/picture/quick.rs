@@ -2,22 +2,32 @@
 
 use super::{Drawing, Eye, Numbers, Settings};
 use crate::trace::kernel;
+use crate::trace::tracer::Tracer;
 
-impl<'t> Drawing<'t> {
-    /// Sets the scene up for the quick kernel; `None` if the kernel cannot draw the picture or would save no time.
-    pub(in crate::trace) fn quick_stage(&self, settings: &Settings) -> Option<kernel::Stage<'t>> {
+impl Tracer {
+    /// The scene set up for the quick kernel; `None` if the kernel does not draw pictures with these settings, or would
+    /// save no time.
+    pub fn stage(&self, settings: &Settings) -> Option<kernel::Stage<'_>> {
         let part = settings.part();
-        // Setting up the kernel takes, for each shape, about as long as drawing a few pixels.
+        // Setting up the kernel takes, for each shape, about as long as it saves on three pixels.
         let pixels = part.width as usize * part.height as usize;
-        let most = (pixels / 8).saturating_mul(settings.first_samples() as usize);
-        let graph = &self.tracer.graph;
+        let most = (pixels / 3).saturating_mul(settings.first_samples() as usize);
         let is_for_it =
-            settings.numbers == Numbers::F64 && self.eye != Eye::Anywhere && !graph.without.kernel;
-        is_for_it.then(|| kernel::Stage::new(graph, most)).flatten()
+            settings.numbers == Numbers::F64 && self.clip.is_none() && !self.graph.without.kernel;
+        is_for_it
+            .then(|| kernel::Stage::new(&self.graph, most))
+            .flatten()
     }
+}
 
-    pub(in crate::trace) fn scene<'s>(&'s self, stage: &'s kernel::Stage<'s>) -> kernel::Scene<'s> {
-        kernel::Scene {
+impl Drawing<'_> {
+    /// What the quick kernel draws; `None` without a stage, and for a camera in a solid.
+    pub(in crate::trace) fn quick<'s>(
+        &'s self,
+        stage: Option<&'s kernel::Stage<'s>>,
+    ) -> Option<kernel::Scene<'s>> {
+        let stage = stage.filter(|_| self.eye != Eye::Anywhere)?;
+        Some(kernel::Scene {
             stage,
             lights: self.lights,
             ambient: self.tracer.ambient,
@@ -25,7 +35,7 @@ impl<'t> Drawing<'t> {
             limits: self.limits,
             features: self.features,
             is_lone_convex: self.tracer.plan.lone_convex,
-        }
+        })
     }
 }
 

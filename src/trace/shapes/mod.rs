@@ -26,7 +26,7 @@ mod revolution;
 mod sphere;
 pub mod support;
 pub mod torus;
-mod triangle;
+pub mod triangle;
 
 use crate::geometry::aabb::Aabb;
 use crate::geometry::line::{Line, Traced};

@@ -44,6 +44,15 @@ impl Triangle {
         }
     }
 
+    pub fn vertices(&self) -> [Vec3; 3] {
+        self.vertices
+    }
+
+    /// The unit normal, rounded; `None` where the vertices lie on one line.
+    pub fn normal(&self) -> Option<Vec3> {
+        self.normal.map(|n| Vec3(each(n.0, narrow)))
+    }
+
     /// Projects the triangle along the line. The projection is scaled by a power of two where its products could leave
     /// the range of the numbers: that is exact, and does not change the sign of an edge function.
     ///

@@ -52,7 +52,7 @@ fn points_have_the_bits_of_shapes() {
             else {
                 return None;
             };
-            stage.leaves[crossing.surface as usize].quadric.as_ref()?;
+            stage.leaves[crossing.surface as usize].quadric()?;
             hits.push(Hit {
                 ray: wave.len() as u32,
                 crossing,
