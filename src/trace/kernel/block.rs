@@ -7,7 +7,7 @@ use super::leaf::{Kind, Leaf};
 use super::plane::{self, Planes};
 use super::probe::{Chords, Probe};
 use super::quadric::{Quadric, Quadrics};
-use super::query::{BENT, End};
+use super::query::{BENT, End, NONE};
 use super::rectangle::Rectangles;
 use super::sphere::Spheres;
 use super::triangle::{self, Triangles};
@@ -21,14 +21,14 @@ pub struct Block {
     pub shapes: Shapes,
     /// The placement that all its leaves share: see [`Leaf::placement`].
     pub placement: u32,
-    /// Numbers of the leaves in the lanes.
+    /// Numbers of the leaves in the lanes, filled up with [`NONE`].
     pub leaves: [u32; 4],
     /// The greatest extent of its leaves.
     pub extent: f64,
     /// A box around all its leaves, if the block is in a tree; otherwise everything.
     pub bounds: Aabb,
     /// Each of its leaves by itself, in all four lanes, to be tested for four rays at once. Empty for operands of an
-    /// intersection and for leaves without lanes.
+    /// intersection, for triangles and for leaves without lanes.
     pub apart: Box<[Shapes]>,
     /// Whether light gets no farther where it meets some of its leaves: see [`Leaf::is_dark`].
     pub is_dark: bool,
@@ -74,7 +74,7 @@ pub fn in_loose_blocks(leaves: &[Leaf], loose: &[u32], blocks: &mut Vec<Block>) 
 /// A block of up to four leaves of one kind and one placement.
 fn block(leaves: &[Leaf], items: &[(u32, Aabb)]) -> Block {
     let all: Vec<&Leaf> = items.iter().map(|&(i, _)| &leaves[i as usize]).collect();
-    let mut own = [u32::MAX; LANES];
+    let mut own = [NONE; LANES];
     for (own, &(leaf, _)) in own.iter_mut().zip(items) {
         *own = leaf;
     }
@@ -125,6 +125,28 @@ pub fn shapes(all: &[&Leaf]) -> Shapes {
 }
 
 impl Block {
+    /// The chords of four lines in `leaf`, which has the index `i` in the block, for t between `from` and `to`.
+    #[inline(always)]
+    pub fn chords_alone(
+        &self,
+        (i, leaf): (usize, &Leaf),
+        probe: &Probe<Lanes>,
+        [from, to]: [Lanes; 2],
+    ) -> Chords {
+        match (&self.shapes, self.apart.get(i)) {
+            (Shapes::Triangles(_), _) => Triangles::of_one(leaf).chords(probe, from, to),
+            (_, Some(shape)) => shape.chords(probe, from, to),
+            (_, None) => Chords::NONE,
+        }
+    }
+
+    /// The leaves of the block, each with its index in the block.
+    #[inline(always)]
+    pub fn each_leaf(&self) -> impl Iterator<Item = (usize, u32)> + '_ {
+        let all = self.leaves.iter().copied().enumerate();
+        all.take_while(|&(_, number)| number != NONE)
+    }
+
     /// The chords of one line in the shapes of the block, for t between `from` and `to`. The shapes have lanes.
     #[inline(always)]
     pub fn chords(&self, probe: &Probe, from: f64, to: f64) -> Chords {

@@ -3,6 +3,7 @@
 //!
 //! Points, directions and normals have the same bits as for one ray at a time. Bounds on errors are wider and cheaper.
 
+use super::cuboid::SHARE;
 use super::lanes::{LANES, Lanes, V3, either, is_at_most, is_greater, lanes_where, mask};
 use super::leaf::Leaf;
 use super::maps::Maps;
@@ -162,6 +163,18 @@ impl Local {
         let size = reach / pace + t.abs();
         let slack = self.slack[0] / pace + t.abs() * self.slack[1] / pace;
         let error = splat(BENT) * size + splat(4.0) * (slack * size).sqrt();
+        either(error.simd_eq(error), error, splat(f64::INFINITY))
+    }
+
+    /// Bounds on the errors of crossings at t with a flat face that the lines pass at these speeds: see
+    /// [`rough`](crate::trace::search::root_order::rough).
+    #[inline(always)]
+    pub fn flat_error(&self, extent: f64, t: Lanes, speed: Lanes) -> Lanes {
+        let splat = Lanes::splat;
+        let pace = self.direction.abs().max_component();
+        let reach = self.origin.abs().max_component() + splat(extent);
+        let slack = self.slack[0] + t.abs() * self.slack[1];
+        let error = (splat(SHARE) * (reach + t.abs() * pace) + splat(4.0) * slack) / speed;
         either(error.simd_eq(error), error, splat(f64::INFINITY))
     }
 

@@ -4,13 +4,19 @@ mod operands;
 
 pub use operands::{Gate, Operands};
 
-use super::leaf::{self, Colour, Form, Kind, Leaf, Way, is_usual, with_lanes};
+use super::leaf::{self, Form, Kind, Leaf, is_usual, with_lanes};
+use super::look::{Colour, Look, Way};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::vec::Vec3;
 use crate::scene::{DEFAULT_COLOUR, Texture};
 use crate::trace::graph::{Coat, Graph, Operation, Target};
 use crate::trace::shapes::Primitive;
 use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// What a look depends on: a texture and its chain, the numbers of the optics and of the refractive index; then whether
+/// the shape may have colours of its own, and whether it is a solid.
+type LookKey = (Option<(u32, u32)>, [u32; 2], [bool; 2]);
 
 /// The leaves of a scene.
 #[derive(Default)]
@@ -26,6 +32,8 @@ pub struct Leaves {
     numbers: FxHashMap<Vec<u32>, u32>,
     /// The first leaf for each pair of a shape and a chain.
     twins: FxHashMap<(u32, u32), u32>,
+    /// The looks that leaves have.
+    looks: FxHashMap<LookKey, Arc<Look>>,
     /// The operands of intersections and differences.
     pub operands: Vec<Operands>,
     /// For each leaf of `all`, the parts on the way from the scene down to the leaf.
@@ -167,19 +175,9 @@ impl Leaves {
         // No other shape has colours of its own.
         let has_own = matches!(shape, Primitive::Revolution(_)) && looks.is_none();
         let looks = looks.unwrap_or(above);
-        let (plain, colour) = match &looks.texture {
-            Some((texture, chain)) => match &graph.textures[*texture as usize] {
-                Texture::Colour(colour) => (*colour, Colour::Plain),
-                _ => {
-                    let (texture, chain) = (*texture, self.chain(chain));
-                    (DEFAULT_COLOUR, Colour::Texture { texture, chain })
-                }
-            },
-            None if has_own => (DEFAULT_COLOUR, Colour::Own),
-            None => (DEFAULT_COLOUR, Colour::Plain),
-        };
-        let optics = &graph.optics[looks.optics.unwrap_or(0) as usize];
-        let is_clear = optics.kt != [0.0; 3];
+        let is_solid = shape.is_solid();
+        let look = self.look(graph, looks, has_own, is_solid);
+        let is_clear = look.kt != [0.0; 3];
         let placement = match above.chain[..] {
             [] => Some(0),
             [only] => Some(only),
@@ -199,18 +197,6 @@ impl Leaves {
             (kind, numbers, form) = (Kind::Quadric, of_it, Form::Quadric(own));
             extent = extent.max(size);
         }
-        let albedo = match optics.kd {
-            [0.0, 0.0, 0.0] => [0.0; 3],
-            kd => Vec3(kd).times(Vec3(plain)).0,
-        };
-        let is_solid = shape.is_solid();
-        let index = |number: u32| match is_solid {
-            true => graph.indices[number as usize],
-            false => [1.0; 3],
-        };
-        let own = index(looks.index.unwrap_or(0));
-        let may_part = !graph.without.dispersion;
-        let (ways, way_count) = Way::through(optics.kt, index(0), own, may_part);
         let number = self.all.len() as u32;
         let chain = self.chain(&above.chain);
         let twin = *self.twins.entry((primitive, chain)).or_insert(number);
@@ -230,19 +216,57 @@ impl Leaves {
             is_cut: false,
             is_solid,
             is_convex: shape.shape().is_convex(),
-            colour,
-            kd: optics.kd,
-            albedo,
-            ks: optics.ks,
-            kt: optics.kt,
-            medium: [looks.optics, looks.index].map(|number| number.unwrap_or(0)),
-            index: own,
-            ways,
-            way_count,
+            look,
             is_clear,
             is_lone: !is_clear,
         });
         Some(number)
+    }
+
+    /// The look of a shape, shared by all shapes that look alike. `has_own`: whether the shape may have colours of its
+    /// own.
+    fn look(&mut self, graph: &Graph, of: &Above, has_own: bool, is_solid: bool) -> Arc<Look> {
+        let (texture, optics, index) = of.look();
+        let texture = texture.as_ref();
+        let painted = texture.map(|(texture, chain)| match graph.textures[*texture as usize] {
+            Texture::Colour(_) => (*texture, 0),
+            _ => (*texture, self.chain(chain)),
+        });
+        let key = (painted, [optics, index], [has_own, is_solid]);
+        let new = || {
+            let (plain, colour) = match painted {
+                Some((texture, chain)) => match graph.textures[texture as usize] {
+                    Texture::Colour(colour) => (colour, Colour::Plain),
+                    _ => (DEFAULT_COLOUR, Colour::Texture { texture, chain }),
+                },
+                None if has_own => (DEFAULT_COLOUR, Colour::Own),
+                None => (DEFAULT_COLOUR, Colour::Plain),
+            };
+            let medium = [optics, index];
+            let optics = &graph.optics[optics as usize];
+            let index = |number: u32| match is_solid {
+                true => graph.indices[number as usize],
+                false => [1.0; 3],
+            };
+            let own = index(medium[1]);
+            let may_part = !graph.without.dispersion;
+            let (ways, way_count) = Way::through(optics.kt, index(0), own, may_part);
+            Arc::new(Look {
+                colour,
+                kd: optics.kd,
+                albedo: match optics.kd {
+                    [0.0, 0.0, 0.0] => [0.0; 3],
+                    kd => Vec3(kd).times(Vec3(plain)).0,
+                },
+                ks: optics.ks,
+                kt: optics.kt,
+                medium,
+                index: own,
+                ways,
+                way_count,
+            })
+        };
+        self.looks.entry(key).or_insert_with(new).clone()
     }
 }
 

@@ -239,6 +239,12 @@ impl V3 {
         self.0[0].fast_max(self.0[1]).fast_max(self.0[2])
     }
 
+    /// The least component; no component may be NaN.
+    #[inline(always)]
+    pub fn min_component(self) -> Lanes {
+        self.0[0].fast_min(self.0[1]).fast_min(self.0[2])
+    }
+
     /// The vectors scaled to length 1; NaN for vectors of length 0.
     #[inline(always)]
     pub fn unit(self) -> V3 {

@@ -1,15 +1,16 @@
 //! A shape of the scene as the kernel sees it.
 
+use super::look::Look;
 use super::quadric::Quadric;
-use super::triangle;
 use super::way_in::WayIn;
 use crate::geometry::affine::{Affine, Placement};
 use crate::geometry::exponent::{exponent, shifted};
 use crate::geometry::vec::Vec3;
-use crate::scene::Rgb;
 use crate::trace::graph::Graph;
 use crate::trace::shapes::Primitive;
 use crate::trace::shapes::quadric::Axial;
+use crate::trace::shapes::triangle::Triangle;
+use std::sync::Arc;
 
 /// Kinds of shapes. Each kind says what [`Leaf::numbers`] holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,8 +29,8 @@ pub enum Kind {
     /// A vector across the flat ends, with a largest component of 1, or zeros; then how much more the map stretches
     /// along one axis than along another. See [`Leaf::form`].
     Quadric,
-    /// The unit normal; then the square of the largest component of two edges, divided by twice the area. See
-    /// [`Leaf::form`].
+    /// The unit normal; the square of the width, divided by twice the area; the width, which is the largest component
+    /// of two edges, in size; and the largest coordinate, in size. See [`Leaf::form`].
     Triangle,
     /// A shape without lanes, which is asked one ray at a time by the arbiter's formulas.
     Other,
@@ -49,59 +50,6 @@ pub const KINDS: [Kind; 9] = [
     Kind::Other,
     Kind::Csg,
 ];
-
-/// Where the colour of a shape comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Colour {
-    /// The colour is the same everywhere.
-    Plain,
-    /// The shape may have colours of its own.
-    Own,
-    /// `texture` is an index into [`Graph::textures`](crate::trace::graph::Graph::textures); `chain` is the chain of
-    /// the space that the texture is painted in: see [`Leaf::chain`].
-    Texture { texture: u32, chain: u32 },
-}
-
-/// A way of light through a surface: the colour channels that are refracted alike.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Way {
-    /// The share of light that goes through; 0 for channels that go another way.
-    pub kt: [f64; 3],
-    /// The refractive index before the surface divided by the index behind it: on the way in, and on the way out.
-    pub ratios: [f64; 2],
-    /// Whether both indices are equal, so that light goes straight on.
-    pub is_straight: bool,
-}
-
-impl Way {
-    pub const NONE: Way = Way {
-        kt: [0.0; 3],
-        ratios: [1.0; 2],
-        is_straight: true,
-    };
-
-    /// The ways through a surface with the refractive index `around` before it and `own` behind it, and the number of
-    /// ways. The way of the first channel comes first. Unless channels `may_part`, all go the way of the first channel
-    /// that gets through.
-    pub fn through(kt: [f64; 3], around: Rgb, own: Rgb, may_part: bool) -> ([Way; 3], u32) {
-        let (mut ways, mut count, mut todo) = ([Way::NONE; 3], 0, kt);
-        while let Some(first) = (0..3).find(|&c| todo[c] != 0.0) {
-            // All channels that go straight on share one way, whatever their index.
-            let bend =
-                |c: usize| Some([around[c], own[c]]).filter(|[before, behind]| before != behind);
-            let is_along = |c: usize| !may_part || bend(c) == bend(first);
-            let way = &mut ways[count];
-            for c in (first..3).filter(|&c| is_along(c)) {
-                way.kt[c] = std::mem::take(&mut todo[c]);
-            }
-            let (before, behind) = (around[first], own[first]);
-            way.ratios = [before / behind, behind / before];
-            way.is_straight = before == behind;
-            count += 1;
-        }
-        (ways, count as u32)
-    }
-}
 
 /// What a kind needs besides its numbers.
 #[derive(Debug, Clone)]
@@ -144,19 +92,7 @@ pub struct Leaf {
     /// Whether it has an inside.
     pub is_solid: bool,
     pub is_convex: bool,
-    pub colour: Colour,
-    pub kd: [f64; 3],
-    /// The share of diffuse light in each channel, if the colour is plain: `kd` times the colour.
-    pub albedo: [f64; 3],
-    pub ks: [f64; 3],
-    pub kt: [f64; 3],
-    /// The numbers of its optics and of its refractive index: leaves with the same two numbers are of one medium.
-    pub medium: [u32; 2],
-    /// The refractive index in each channel.
-    pub index: Rgb,
-    /// The ways on which light goes through, the first `way_count` of them: see [`Way`].
-    pub ways: [Way; 3],
-    pub way_count: u32,
+    pub look: Arc<Look>,
     /// Whether some light goes through the leaf.
     pub is_clear: bool,
     /// For a transparent leaf, whether no other leaf is near it. For an opaque leaf, whether no transparent leaf is
@@ -243,12 +179,34 @@ pub fn with_lanes(primitive: &Primitive, is_clear: bool) -> Option<(Kind, [f64; 
         Primitive::HalfSpace(solid) if !is_clear => {
             (Kind::HalfSpace, of_plane(solid.abcd()), Vec::new())
         }
-        Primitive::Triangle(triangle) => return triangle::with_lanes(triangle),
+        Primitive::Triangle(triangle) => return of_triangle(triangle),
         _ => return None,
     };
     let usual = |x: &f64| (LEAST..LEAST.recip()).contains(x);
     let are_usual = numbers.iter().all(|&x| x == 0.0 || usual(&x.abs()));
     (are_usual && sizes.iter().all(usual)).then_some((kind, numbers, Form::Plain))
+}
+
+/// The least and the greatest width of a triangle that has lanes.
+const WIDTHS: [f64; 2] = [1e-6, 1e6];
+/// The most times that the square of the width may exceed twice the area of a triangle that has lanes.
+const MAX_STRETCH: f64 = 1e4;
+
+/// The kind, the numbers and the form of a triangle: see [`Kind::Triangle`]. `None` for unusual triangles.
+pub fn of_triangle(triangle: &Triangle) -> Option<(Kind, [f64; 8], Form)> {
+    let [a, b, c] = triangle.vertices();
+    let Vec3([x, y, z]) = triangle.normal()?;
+    let (ab, ac) = (b - a, c - a);
+    let largest = |vectors: &[Vec3]| {
+        let sizes = vectors.iter().map(|v| v.abs().max_component());
+        sizes.fold(0.0, f64::max)
+    };
+    let (width, extent) = (largest(&[ab, ac]), largest(&[a, b, c]));
+    let cross = ab.cross(ac);
+    let stretch = width * width / cross.dot(cross).sqrt();
+    let is_usual = (WIDTHS[0]..WIDTHS[1]).contains(&width) && stretch <= MAX_STRETCH;
+    let numbers = [x, y, z, stretch, width, extent, 0.0, 0.0];
+    is_usual.then(|| (Kind::Triangle, numbers, Form::Triangle(Box::new([a, b, c]))))
 }
 
 /// A convex solid of second degree below a chain of placements, with its numbers and its extent. `None` for other

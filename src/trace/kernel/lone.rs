@@ -34,7 +34,7 @@ pub fn find_lone(graph: &Graph, leaves: &mut Leaves) {
         let around = leaf(outer);
         near.any(outer, false, |i| {
             let own = leaf(i);
-            let is_one = own.medium == around.medium;
+            let is_one = own.look.medium == around.look.medium;
             if own.is_solid && !own.is_clear && (is_one || around.operand < own.operand) {
                 lone.remove(&i);
                 if is_one && known.insert(i) {

@@ -15,25 +15,28 @@
 //!   a formula for four of its kind. Other shapes are asked one ray at a time.
 //! - A **torus** is solved in [`torus`], for four rays of a bundle at once, if they start outside of all solids and not
 //!   on the torus. Rays that [`cull`] shows to miss it are not solved at all. All other rays, and those that nearly
-//!   touch the torus, are solved one by one with the arbiter's own formulas ([`scalar`]).
+//!   touch the torus, are solved one by one with the arbiter's own formulas ([`scalar`]). A **geodesic sphere** is
+//!   solved in the same way in [`geodesic`]; rays that come near an edge of a facet are left to the arbiter's formulas.
 //!
-//! The scene: [`expand`] takes the graph apart into leaves, each a shape with its looks ([`leaf`]). [`stage`] puts
-//! leaves of one kind into blocks of four ([`block`]), and blocks into a tree. [`lone`] finds the leaves that are near
-//! no other.
+//! The scene: [`expand`] takes the graph apart into leaves, each a shape with its look ([`leaf`], [`look`]). [`stage`]
+//! puts leaves of one kind into blocks of four ([`block`]), and blocks into a tree. [`lone`] finds the leaves that are
+//! near no other.
 //!
 //! Each wave goes through three phases.
 //!
 //! 1. [`search`] finds the leaf that each ray meets first, with bounds that are far wider than any rounding. Spheres,
 //!    boxes, planes, rectangles, triangles and convex solids of second degree have lanes ([`sphere`], [`cuboid`],
-//!    [`plane`], [`rectangle`], [`triangle`], [`quadric`]): a ray is tested against four of them at once. Other shapes are asked one by one, by
-//!    the arbiter's own formulas ([`scalar`]). [`csg`] merges the crossings of a ray with the operands of an
-//!    intersection; if the operands are a few shapes with lanes, [`spans`] finds the first place without a merge. Rays
-//!    that go nearly the same way are a bundle: they share one walk through the tree ([`bundle`]), and four of them at
-//!    a time are tested against a shape ([`packet`], [`packet_search`]). Before a shape without lanes is asked,
-//!    [`cull`] sorts out rays that surely miss it; for a solid of revolution it looks at the pieces of the [`profile`].
+//!    [`plane`], [`rectangle`], [`triangle`], [`quadric`]): a ray is tested against four of them at once. Other shapes
+//!    are asked one by one, by the arbiter's own formulas ([`scalar`]). [`csg`] merges the crossings of a ray with the
+//!    operands of an intersection; if the operands are a few shapes with lanes, [`spans`] finds the first place without
+//!    a merge. Rays that go nearly the same way are a bundle: they share one walk through the tree ([`bundle`]), and
+//!    four of them at a time are tested against a shape ([`packet`], [`packet_search`]). Before a shape without lanes
+//!    is asked, [`cull`] sorts out rays that surely miss it; for a solid of revolution it looks at the pieces of the
+//!    [`profile`].
 //! 2. The exact places are computed with the operations of the arbiter in the arbiter's order, for four rays at once.
-//!    [`place`] and [`chain`] take rays into the spaces of shapes, and [`quadric_point`] finds points of solids of
-//!    second degree. [`shade`] sends on the mirrored and the refracted rays: they are the next wave.
+//!    [`place`] and [`chain`] take rays into the spaces of shapes, [`quadric_point`] finds points of solids of second
+//!    degree, and [`facet`] those of triangles and of the facets of geodesic spheres. [`shade`] sends on the mirrored
+//!    and the refracted rays: they are the next wave.
 //! 3. [`light`] adds up the light of the lamps, one lamp after the other for all places of the wave; [`shadow`] says
 //!    how much of it gets through.
 //!
@@ -64,10 +67,13 @@ mod cuboid;
 mod cull;
 mod drawn;
 mod expand;
+mod facet;
+mod geodesic;
 mod lanes;
 mod leaf;
 mod light;
 mod lone;
+mod look;
 mod maps;
 mod packet;
 mod packet_search;

@@ -3,7 +3,7 @@
 //! Lanes are rays here; in [`search`](super::search) they are shapes. The answers about a ray are the same in both,
 //! with the same formulas and the same bounds.
 
-use super::block::{Block, Shapes};
+use super::block::Block;
 use super::chain::{Chains, Local};
 use super::cull::in_box;
 use super::lanes::{LANES, Lanes, V3, gathered, is_greater, is_less, lanes_where};
@@ -106,7 +106,7 @@ impl<'w> Packet<'w> {
     pub fn meet(
         &self,
         probe: &Probe<Lanes>,
-        (shape, leaf): (&Shapes, &Leaf),
+        (block, i, leaf): (&Block, usize, &Leaf),
         to: Lanes,
         rays: u32,
     ) -> Ahead {
@@ -119,7 +119,8 @@ impl<'w> Packet<'w> {
         };
         let size = (probe.reach + splat(leaf.extent)) * probe.per_pace + splat(1.0);
         let hair = splat(BENT) * size;
-        let chords = shape.chords(probe, -(self.skin + hair), to + hair);
+        let stretch = [-(self.skin + hair), to + hair];
+        let chords = block.chords_alone((i, leaf), probe, stretch);
         let maybe = rays & !here & chords.maybe;
         doubt |= maybe & !chords.sure;
         let mut met = maybe & chords.sure;

@@ -3,6 +3,7 @@
 use super::block::{Block, Shapes};
 use super::bundle::Along;
 use super::chain::Local;
+use super::geodesic;
 use super::lanes::{LANES, Lanes, either, is_greater, is_less, mask};
 use super::leaf::{Kind, Leaf};
 use super::packet::{Ahead, Packet};
@@ -118,9 +119,9 @@ impl Stage<'_> {
             lanes(rays).for_each(|lane| tests[lane].shapes += 1);
             let mut moved = None;
             let probe = packet.in_space(&self.graph.placements, block.placement, &mut moved);
-            for (shape, &number) in block.apart.iter().zip(&block.leaves) {
+            for (i, number) in block.each_leaf() {
                 let leaf = &self.leaves[number as usize];
-                let ahead = packet.meet(probe, (shape, leaf), best.limit, rays);
+                let ahead = packet.meet(probe, (block, i, leaf), best.limit, rays);
                 let (t, error) = (ahead.t.to_array(), ahead.error.to_array());
                 for lane in lanes(best.consider(&ahead)) {
                     let (t, error) = (t[lane], error[lane]);
@@ -190,13 +191,16 @@ impl Stage<'_> {
         let plain = rays & !packet.on(leaf);
         if leaf.kind == Kind::Other && plain != 0 {
             let local = packet.enter(&self.chains_of([leaf; LANES]));
-            if let Some((ahead, none)) = self.meet_torus(packet, &local, leaf, plain) {
+            if let Some((ahead, faces, none)) = self.meet_solved(packet, &local, leaf, plain) {
                 let (t, error) = (ahead.t.to_array(), ahead.error.to_array());
                 for lane in lanes(best.consider(&ahead)) {
                     let (t, error) = (t[lane], error[lane]);
                     best.crossings[lane] = Crossing {
                         surface: number,
-                        root: Root { t, face: 0 },
+                        root: Root {
+                            t,
+                            face: faces[lane],
+                        },
                         end: End { t, error },
                         is_exit: false,
                     };
@@ -225,30 +229,39 @@ impl Stage<'_> {
         }
     }
 
-    /// Finds where `rays` meet a torus ahead of their starts, and, as bits, the rays that surely miss it. Rays in
-    /// neither set have to be asked one by one. `None` if the leaf is no torus.
+    /// Finds where `rays` meet a torus or a geodesic sphere ahead of their starts, with the faces that they meet there,
+    /// and, as bits, the rays that surely miss it. Rays in neither set have to be asked one by one. `None` for other
+    /// shapes.
     #[inline(always)]
-    fn meet_torus(
+    fn meet_solved(
         &self,
         packet: &Packet,
         local: &Local,
         leaf: &Leaf,
         rays: u32,
-    ) -> Option<(Ahead, u32)> {
-        let Primitive::Torus(torus) = &self.graph.primitives[leaf.primitive as usize] else {
-            return None;
+    ) -> Option<(Ahead, [u32; LANES], u32)> {
+        let (met, none, t, error, faces) = match &self.graph.primitives[leaf.primitive as usize] {
+            Primitive::Torus(torus) => {
+                let found = torus::first(torus, local, packet.skin, rays);
+                let error = local.bent_error(leaf.extent, found.t);
+                let none = found.known & !found.met;
+                (found.met, none, found.t, error, [0; LANES])
+            }
+            Primitive::GeodesicSphere(sphere) => {
+                let found = geodesic::first(sphere, local, packet.skin, rays);
+                let error = local.flat_error(leaf.extent, found.t, found.speed);
+                (found.met, 0, found.t, error, found.faces)
+            }
+            _ => return None,
         };
-        let found = torus::first(torus, local, packet.skin, rays);
-        let t = found.t;
-        let error = local.bent_error(leaf.extent, t);
-        let met = found.met & is_greater(t, packet.skin + error).to_bitmask();
+        let met = met & is_greater(t, packet.skin + error).to_bitmask();
         let ahead = Ahead {
             met,
             doubt: 0,
             t,
             error,
         };
-        Some((ahead, found.known & !found.met))
+        Some((ahead, faces, none))
     }
 
     /// Lists in [`Along::blocks`] the blocks that four rays to a lamp may meet. Returns, as bits, the rays that surely
@@ -294,9 +307,9 @@ impl Stage<'_> {
                 let probe = packet.in_space(&self.graph.placements, block.placement, &mut moved);
                 let asked = rays & packet.outside;
                 rays &= !packet.outside;
-                for (shape, &number) in block.apart.iter().zip(&block.leaves) {
+                for (i, number) in block.each_leaf() {
                     let leaf = &self.leaves[number as usize];
-                    let ahead = packet.meet(probe, (shape, leaf), one, asked & !dark);
+                    let ahead = packet.meet(probe, (block, i, leaf), one, asked & !dark);
                     if leaf.is_dark() {
                         let before = is_less(ahead.t + ahead.error, end).to_bitmask();
                         dark |= ahead.met & before;

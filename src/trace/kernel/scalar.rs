@@ -1,8 +1,10 @@
 //! Shapes without lanes: the arbiter's own formulas, one ray at a time.
 
-use super::chain;
+use super::chain::{self, Local};
+use super::geodesic;
 use super::lanes::{LANES, Lanes, V3, is_less, mask};
-use super::leaf::{Colour, Kind, Leaf};
+use super::leaf::{Kind, Leaf};
+use super::look::Colour;
 use super::query::{Ask, Crossed, Crossing, End, Query, Start, Tests};
 use super::resolved::Resolved;
 use super::scratch::Scratch;
@@ -15,7 +17,7 @@ use crate::trace::search::hit::beside;
 use crate::trace::search::query::Scale;
 use crate::trace::search::root_order::{before_left, rough};
 use crate::trace::shapes::quick_reject::Pass;
-use crate::trace::shapes::{Located, Root, Roots};
+use crate::trace::shapes::{Located, Primitive, Root, Roots};
 use crate::trace::stats::Work;
 use crate::trace::texture::SurfacePoint;
 
@@ -256,9 +258,12 @@ impl Stage<'_> {
         work: &mut Work,
     ) -> Places {
         let chains = self.chains_of(leaves);
-        let lines = chains.enter(origin, direction).lines();
-        let mut found = [NOWHERE; LANES];
-        for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
+        let entered = chains.enter(origin, direction);
+        let (mut found, told) = self.located(leaves, &entered, roots);
+        let rest = live & !told;
+        let lines = (rest != 0).then(|| entered.lines());
+        for lane in (0..LANES).filter(|lane| rest >> lane & 1 != 0) {
+            let Some(lines) = &lines else { break };
             let (leaf, root) = (leaves[lane], roots[lane]);
             let primitive = &self.graph.primitives[leaf.primitive as usize];
             found[lane] = primitive.intersect().locate(&lines[lane], root);
@@ -286,6 +291,38 @@ impl Stage<'_> {
             shading,
             local: each(found, |found| found.point),
         }
+    }
+
+    /// The points in the leaves' spaces where four lines meet one geodesic sphere, or its copies, and, as bits, the lines
+    /// whose points are known.
+    #[inline(always)]
+    fn located(
+        &self,
+        leaves: [&Leaf; LANES],
+        entered: &Local,
+        roots: [Root; LANES],
+    ) -> ([Located; LANES], u32) {
+        let number = leaves[0].primitive;
+        let is_same = |leaf: &Leaf| leaf.kind == Kind::Other && leaf.primitive == number;
+        let nowhere = [NOWHERE; LANES];
+        if !leaves.into_iter().all(is_same) {
+            return (nowhere, 0);
+        }
+        let Primitive::GeodesicSphere(sphere) = &self.graph.primitives[number as usize] else {
+            return (nowhere, 0);
+        };
+        let all = geodesic::locate(sphere, entered, each(roots, |root| root.face));
+        let [points, errors, normals] = [all.point, all.error, all.normal].map(V3::columns);
+        let found = each([0, 1, 2, 3], |lane: usize| {
+            let at =
+                |columns: &[[f64; LANES]; 3]| Vec3(each([0, 1, 2], |i: usize| columns[i][lane]));
+            Located {
+                point: at(&points),
+                error: at(&errors),
+                normal: at(&normals),
+            }
+        });
+        (found, all.clear.to_bitmask())
     }
 
     /// The unit normals for shading at four points of surfaces. `place` gives for each lane the point in the space of its
@@ -342,9 +379,9 @@ impl Stage<'_> {
             point: local,
             face,
         };
-        let colour: Rgb = match leaf.colour {
-            _ if leaf.kd == [0.0; 3] => return [0.0; 3],
-            Colour::Plain => return leaf.albedo,
+        let colour: Rgb = match leaf.look.colour {
+            _ if leaf.look.kd == [0.0; 3] => return [0.0; 3],
+            Colour::Plain => return leaf.look.albedo,
             Colour::Own => self.graph.unpainted(&at, work),
             Colour::Texture { texture, chain } => {
                 let placements = self.chains[chain as usize].iter();
@@ -353,7 +390,7 @@ impl Stage<'_> {
                 self.graph.painted(texture, &at, painted, work)
             }
         };
-        Vec3(leaf.kd).times(Vec3(colour)).0
+        Vec3(leaf.look.kd).times(Vec3(colour)).0
     }
 }
 

@@ -139,7 +139,9 @@ impl Stage<'_> {
             behind => behind?,
         };
         let [a, b] = [before, behind].map(|side| self.leaves.get(side.owner() as usize));
-        let is_one_medium = a.zip(b).is_some_and(|(a, b)| a.medium == b.medium);
+        let is_one_medium = a
+            .zip(b)
+            .is_some_and(|(a, b)| a.look.medium == b.look.medium);
         (!is_one_medium).then_some([before, behind])
     }
 

@@ -1,7 +1,8 @@
 //! Where rays go from the surfaces that they meet, four at a time.
 
 use super::lanes::{LANES, Lanes, V3, either, gathered, is_greater, is_less, lanes_where, mask};
-use super::leaf::{Leaf, Way};
+use super::leaf::Leaf;
+use super::look::Way;
 use super::query::{Start, Within};
 use super::resolved::Resolved;
 use super::stage::Stage;
@@ -25,13 +26,15 @@ impl Tile {
     fn follow(&mut self, scene: &Scene, four: &Four, hits: &Hits) {
         let splat = Lanes::splat;
         let weight = V3::gathered(four.rays, |ray| &ray.weight);
-        let ks = V3::gathered(four.leaves, |leaf| &leaf.ks);
+        let ks = V3::gathered(four.leaves, |leaf| &leaf.look.ks);
         let direction = four.direction;
         let mut mirrored = ks;
         let clear = hits.live & lanes_where(|lane| four.leaves[lane].is_clear);
         if scene.features.glass && clear != 0 {
             let from_one_into_another;
-            let mut ways = each(four.leaves, |leaf| &leaf.ways[..leaf.way_count as usize]);
+            let mut ways = each(four.leaves, |leaf| {
+                &leaf.look.ways[..leaf.look.way_count as usize]
+            });
             let is_between = |lane: usize| {
                 let sides = four.hits[lane].sides;
                 four.leaves[lane].is_solid && sides.iter().all(|side| !side.is_empty())
@@ -88,9 +91,9 @@ impl Tile {
             let [Some(before), Some(behind)] = four.hits[lane].sides.map(owner) else {
                 return ([Way::NONE; 3], 0);
             };
-            let kt = four.leaves[lane].kt;
+            let kt = four.leaves[lane].look.kt;
             let may_part = !stage.graph.without.dispersion;
-            let (ways, count) = Way::through(kt, before.index, behind.index, may_part);
+            let (ways, count) = Way::through(kt, before.look.index, behind.look.index, may_part);
             let both = |way: Way| Way {
                 ratios: [way.ratios[0]; 2],
                 ..way
@@ -288,7 +291,7 @@ impl Hits {
             live,
             point: V3::either(strays, on_line, resolved.point),
             shading: normal,
-            albedo: V3::gathered(four.leaves, |leaf| &leaf.albedo),
+            albedo: V3::gathered(four.leaves, |leaf| &leaf.look.albedo),
             skin: either(strays, in_line, on_surface),
             entering,
         }

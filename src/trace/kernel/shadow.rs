@@ -322,7 +322,7 @@ impl Stage<'_> {
         let (own, end) = (leaf(opaque), opaque.near.end);
         let may_hide = |other: &Passed| {
             other.leaf != opaque.leaf
-                && (leaf(other).operand < own.operand || leaf(other).medium == own.medium)
+                && (leaf(other).operand < own.operand || leaf(other).look.medium == own.look.medium)
         };
         let is_apart =
             |other: &Passed| end.is_before(other.near.end) || other.far.end.is_before(end);
@@ -395,7 +395,7 @@ impl Stage<'_> {
     #[inline(always)]
     fn behind(&self, share: Vec3, face: Face) -> Vec3 {
         match self.leaves.get(face.surface as usize) {
-            Some(leaf) => share.times(Vec3(leaf.kt)),
+            Some(leaf) => share.times(Vec3(leaf.look.kt)),
             None => share,
         }
     }
@@ -438,12 +438,12 @@ impl Stage<'_> {
                     continue;
                 }
                 // The same medium on both sides: there is no surface.
-                if around.is_some_and(|around| around.medium == own.medium) {
+                if around.is_some_and(|around| around.look.medium == own.look.medium) {
                     continue;
                 }
             }
             let is_next = |before: Face| {
-                let kt = [before, face].map(|face| self.leaves[face.surface as usize].kt);
+                let kt = [before, face].map(|face| self.leaves[face.surface as usize].look.kt);
                 before.end.is_before(face.end) || kt[0] == kt[1]
             };
             if !before.is_none_or(is_next) {

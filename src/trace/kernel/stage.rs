@@ -75,15 +75,14 @@ impl Stage<'_> {
             Cull::new(graph, &chains[leaf.chain as usize], &bounds, outline)
         };
         for block in &mut blocks {
-            if let Shapes::Single = block.shapes {
-                block.cull = cull(block.leaves[0]).map(Box::new);
-                continue;
+            match block.shapes {
+                Shapes::Single => block.cull = cull(block.leaves[0]).map(Box::new),
+                Shapes::Triangles(_) => {}
+                _ => {
+                    let own = block.each_leaf().map(|(_, leaf)| &leaves[leaf as usize]);
+                    block.apart = own.map(|leaf| shapes(&[leaf; LANES])).collect();
+                }
             }
-            let own = block
-                .leaves
-                .iter()
-                .filter_map(|&leaf| leaves.get(leaf as usize));
-            block.apart = own.map(|leaf| shapes(&[leaf; LANES])).collect();
         }
         let csgs = operands
             .into_iter()

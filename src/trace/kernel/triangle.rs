@@ -3,13 +3,13 @@
 //! [`shapes::triangle`](crate::trace::shapes).
 
 use super::cuboid::SHARE;
-use super::lanes::{LANES, Lanes, Number, V3, either, fused, is_at_most, is_greater, is_less};
-use super::leaf::{Form, Kind, Leaf};
+use super::facet::{Facet, Shear};
+use super::lanes::{ALL, LANES, Lanes, Number, V3, is_at_most, is_greater, is_less};
+use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
 use super::resolved::{Meet, Resolved};
 use crate::geometry::array::each;
 use crate::geometry::vec::{UNIT_ROUNDOFF, Vec3, gamma};
-use crate::trace::shapes::triangle::Triangle;
 
 /// Up to four triangles.
 #[derive(Debug, Clone)]
@@ -29,22 +29,12 @@ pub struct Triangles {
 /// computed from. The three volumes are sums of at most twelve products, so that rounding changes them by less than
 /// 2⁻⁴⁶ of these numbers; and the arbiter is sure of its edge functions above 2⁻⁴⁴ of the same numbers.
 const RIM: f64 = 1e-12;
-/// The least and the greatest width of a triangle that has lanes.
-const WIDTHS: [f64; 2] = [1e-6, 1e6];
-/// The most times that the square of the width may exceed twice the area of a triangle that has lanes.
-const MAX_STRETCH: f64 = 1e4;
 
-/// The numbers and the form of a triangle: see [`Kind::Triangle`]. `None` for unusual triangles.
-pub fn with_lanes(triangle: &Triangle) -> Option<(Kind, [f64; 8], Form)> {
-    let [a, b, c] = triangle.vertices();
-    let Vec3([x, y, z]) = triangle.normal()?;
-    let (ab, ac) = (b - a, c - a);
-    let width = ab.abs().max_component().max(ac.abs().max_component());
-    let cross = ab.cross(ac);
-    let stretch = width * width / cross.dot(cross).sqrt();
-    let is_usual = (WIDTHS[0]..WIDTHS[1]).contains(&width) && stretch <= MAX_STRETCH;
-    let numbers = [x, y, z, stretch, 0.0, 0.0, 0.0, 0.0];
-    is_usual.then(|| (Kind::Triangle, numbers, Form::Triangle(Box::new([a, b, c]))))
+/// The largest component of some vectors, in size.
+fn largest<const N: usize>(vectors: [Vec3; N]) -> f64 {
+    vectors
+        .iter()
+        .fold(0.0, |most, v| v.abs().max_component().max(most))
 }
 
 impl Triangles {
@@ -57,13 +47,26 @@ impl Triangles {
         let vectors = |vector: fn(&[Vec3; 3]) -> Vec3| {
             V3(each([0, 1, 2], |i: usize| four(&|t| vector(t)[i])))
         };
-        let largest = |v: Vec3| v.abs().max_component();
         Triangles {
             corner: vectors(|t| t[0]),
             edges: [vectors(|t| t[1] - t[0]), vectors(|t| t[2] - t[0])],
-            width: four(&|t| largest(t[1] - t[0]).max(largest(t[2] - t[0]))),
-            extent: four(&|t| t.iter().fold(0.0, |most, &v| largest(v).max(most))),
+            width: four(&|t| largest([t[1] - t[0], t[2] - t[0]])),
+            extent: four(&|&t| largest(t)),
             present: (1 << triangles.len()) - 1,
+        }
+    }
+
+    /// One triangle in all four lanes.
+    #[inline(always)]
+    pub fn of_one(leaf: &Leaf) -> Triangles {
+        let [a, b, c] = *leaf.corners();
+        let [.., width, extent, _, _] = leaf.numbers;
+        Triangles {
+            corner: V3::splat(a),
+            edges: [V3::splat(b - a), V3::splat(c - a)],
+            width: Lanes::splat(width),
+            extent: Lanes::splat(extent),
+            present: ALL,
         }
     }
 
@@ -118,70 +121,15 @@ pub fn rough<N: Number>(probe: &Probe<N>, numbers: &[f64; 8], extent: f64, t: N)
     (number(SHARE * stretch) * size + number(4.0) * probe.slack) / across
 }
 
-/// Corners as lines see them, in sheared spaces.
-#[derive(Clone, Copy)]
-struct Projected {
-    x: Lanes,
-    y: Lanes,
-    depth: Lanes,
-}
-
-/// Twice the signed areas of the triangles of the origins and two projected corners.
-#[inline(always)]
-fn edge(p: Projected, q: Projected) -> Lanes {
-    let (a, b) = (p.x * q.y, p.y * q.x);
-    (a - b) + (fused(p.x, q.y, -a) - fused(p.y, q.x, -b))
-}
-
-/// The components of vectors along the axes that a shear makes x, y and z. Axis 2 becomes z, but axis 1 in the lanes
-/// `second`, and axis 0 in the lanes `first`.
-#[inline(always)]
-fn turned(v: V3, [first, second]: [Lanes; 2]) -> V3 {
-    let [x, y, z] = v.0;
-    V3([
-        either(first, y, either(second, z, x)),
-        either(first, z, either(second, x, y)),
-        either(first, x, either(second, y, z)),
-    ])
-}
-
 /// The points where lines meet triangles, given by their vertices and unit normals.
 #[inline(always)]
 pub fn resolve(origin: V3, direction: V3, vertices: [V3; 3], normal: V3) -> Resolved {
     let splat = Lanes::splat;
-    let [x, y, z] = direction.abs().0;
-    let later = is_greater(y, x);
-    let last = is_greater(z, x.fast_max(y));
-    let axes = [!later & !last, later & !last];
-    let along = turned(direction, axes);
-    let pace = along.0[2];
-    let slope = along.over(pace);
-    let corners = each(vertices, |vertex| {
-        let [x, y, depth] = turned(vertex - origin, axes).0;
-        Projected {
-            x: x - slope.0[0] * depth,
-            y: y - slope.0[1] * depth,
-            depth,
-        }
-    });
-    let [a, b, c] = corners;
-    let edges = V3([edge(b, c), edge(c, a), edge(a, b)]);
-    let area = edges.0[0] + edges.0[1] + edges.0[2];
-    let depths = V3([a.depth, b.depth, c.depth]);
-    let weights = edges.over(area);
-    let least = |v: V3| v.0[0].fast_min(v.0[1]).fast_min(v.0[2]);
-    let greatest = |v: V3| v.0[0].fast_max(v.0[1]).fast_max(v.0[2]);
-    let depth = (weights.dot(depths))
-        .fast_max(least(depths))
-        .fast_min(greatest(depths));
-    let t = depth / pace;
-
-    let zero = Lanes::ZERO;
-    let is_within = is_greater(least(edges), zero) | is_less(greatest(edges), zero);
-    let widest = corners.iter().fold(zero, |widest, corner| {
-        widest.fast_max(corner.x.abs()).fast_max(corner.y.abs())
-    });
+    let shear = Shear::along(direction);
+    let facet = Facet::new(each(vertices, |vertex| shear.project(vertex - origin)));
+    let t = facet.depth(facet.weights()) / shear.pace;
     // The shape scales other corners before it computes their edge functions.
+    let widest = facet.widest();
     let is_comfortable =
         is_greater(widest, splat(1.0 / 4294967296.0)) & is_less(widest, splat(4294967296.0));
 
@@ -189,7 +137,7 @@ pub fn resolve(origin: V3, direction: V3, vertices: [V3; 3], normal: V3) -> Reso
     let point = p - normal * normal.dot(p - vertices[0]);
     let noise = splat(gamma(6)) * normal.abs().dot(p.abs() + vertices[0].abs());
     Resolved {
-        clear: is_within & is_comfortable & is_less(t.abs(), splat(f64::INFINITY)),
+        clear: facet.is_passed() & is_comfortable & is_less(t.abs(), splat(f64::INFINITY)),
         t,
         point,
         error: normal.abs() * noise + point.abs() * splat(UNIT_ROUNDOFF),
@@ -217,7 +165,9 @@ mod tests {
     use crate::geometry::dd::Dd;
     use crate::geometry::line::Line;
     use crate::scene::TriangleNormals;
+    use crate::trace::kernel::leaf::{Form, of_triangle};
     use crate::trace::kernel::tests::numbers;
+    use crate::trace::shapes::triangle::Triangle;
     use crate::trace::shapes::{Intersect, Roots};
 
     /// What is said without doubt is what the shape finds: a line that is beside crosses nothing, and the shape is sure
@@ -234,7 +184,7 @@ mod tests {
             let far = [1.5, 30.0, 1e4][i / 3 % 3];
             let corners = [at, at + b, at + c].map(|v| v * size);
             let triangle = Triangle::new(corners.map(|v| v.0), TriangleNormals::Flat);
-            let Some((_, numbers, Form::Triangle(vertices))) = with_lanes(&triangle) else {
+            let Some((_, numbers, Form::Triangle(vertices))) = of_triangle(&triangle) else {
                 continue;
             };
             let share = [0.0, 1.0, aim[0].abs(), 0.5 * aim[0].abs()][i / 9 % 4];

@@ -8,8 +8,9 @@ use super::bundle::{Along, Around, BUNDLE_MIN_RAYS};
 use super::cuboid::Cuboids;
 use super::drawn::Drawn;
 use super::lanes::{ALL, LANES, V3, mask};
-use super::leaf::{Colour, KINDS, Kind, Leaf};
+use super::leaf::{KINDS, Kind, Leaf};
 use super::light::Lit;
+use super::look::Colour;
 use super::packet::Packet;
 use super::place;
 use super::plane::Planes;
@@ -207,7 +208,12 @@ impl Tile {
         for kind in KINDS {
             for is_placed in [false, true] {
                 let slot = slot(kind, is_placed);
-                let met = std::mem::take(&mut self.by_kind[slot]);
+                let mut met = std::mem::take(&mut self.by_kind[slot]);
+                if kind == Kind::Other {
+                    // Hits on one shape are located together.
+                    let leaves = &scene.stage.leaves;
+                    met.sort_by_key(|hit| leaves[hit.crossing.surface as usize].primitive);
+                }
                 for some in met.chunks(LANES) {
                     let four = Four::new(&wave, &scene.stage.leaves, some);
                     let live = ALL >> (LANES - some.len());
@@ -350,7 +356,10 @@ impl Tile {
         };
         let live = self.known(four, live, &resolved);
         let mut hits = Hits::new(four, live, &resolved);
-        let is_painted = four.leaves.iter().any(|leaf| leaf.colour != Colour::Plain);
+        let is_painted = four
+            .leaves
+            .iter()
+            .any(|leaf| leaf.look.colour != Colour::Plain);
         let lane =
             |columns: &[[f64; LANES]; 3], i: usize| Vec3(each([0, 1, 2], |k: usize| columns[k][i]));
         if let Some(local) = local.filter(|_| S::IS_SMOOTH) {
@@ -404,7 +413,11 @@ impl Tile {
             Some(found) if live == told => {
                 let mut of = Hits::new(four, live, &found.resolved);
                 of.shading = found.resolved.normal;
-                if four.leaves.iter().any(|leaf| leaf.colour != Colour::Plain) {
+                if four
+                    .leaves
+                    .iter()
+                    .any(|leaf| leaf.look.colour != Colour::Plain)
+                {
                     let local = found.local.columns();
                     let place = |lane: usize| {
                         let local = Vec3(each([0, 1, 2], |i: usize| local[i][lane]));
@@ -445,10 +458,10 @@ impl Tile {
         place: impl Fn(usize) -> (Vec3, u32),
     ) -> V3 {
         let points = hits.point.columns();
-        let mut albedo = each(four.leaves, |leaf| leaf.albedo);
+        let mut albedo = each(four.leaves, |leaf| leaf.look.albedo);
         for lane in (0..LANES).filter(|lane| live >> lane & 1 != 0) {
             let leaf = four.leaves[lane];
-            if leaf.colour != Colour::Plain {
+            if leaf.look.colour != Colour::Plain {
                 let point = Vec3::new(points[0][lane], points[1][lane], points[2][lane]);
                 let (local, face) = place(lane);
                 albedo[lane] = stage.albedo(leaf, face, [point, local], &mut self.work);

@@ -9,6 +9,8 @@
 //! are in that cone. A line meets facets on two stretches alone, where it enters the sphere and where it leaves it. So
 //! the search goes down through the facets whose cones these stretches meet, mostly one of four.
 
+mod middles;
+
 use super::facet::{Facet, Passage, PassageDirection, Projected, Shear, drift_across, narrow};
 use super::{Intersect, Located, Root, Roots, Shape};
 use crate::geometry::aabb::Aabb;
@@ -23,7 +25,9 @@ use crate::solids::shapes::facts::Facts;
 use crate::trace::shapes::outline::{Form, Outline};
 use crate::trace::shapes::support::Support;
 use std::f64::consts::{PI, TAU};
-use std::sync::OnceLock;
+
+use middles::Middles;
+pub use middles::facets_above;
 
 /// The language allows no more splits.
 pub(super) const MAX_SPLITS: u32 = 9;
@@ -97,65 +101,6 @@ impl<R: Traced> Stretch<R> {
     }
 }
 
-/// The middle of an edge, pushed out to the sphere.
-///
-/// The result has six roundings: the sum, half of the squared length's three, the root, the quotient and the product.
-fn middle<R: Traced>(a: Vec3<R>, b: Vec3<R>) -> Vec3<R> {
-    let sum = a + b;
-    sum * sum.dot(sum).sqrt().recip()
-}
-
-/// The middles of the edges that are opposite to the corners.
-#[inline]
-fn middles<R: Traced>([a, b, c]: [Vec3<R>; 3]) -> [Vec3<R>; 3] {
-    [middle(b, c), middle(c, a), middle(a, b)]
-}
-
-/// The number of levels whose facets have their middles in a table. Those of the sixth level take 1.5 MB and 2 ms.
-const LEVELS: u32 = 6;
-static TABLES: [OnceLock<Vec<[Vec3; 3]>>; LEVELS as usize + 1] =
-    [const { OnceLock::new() }; LEVELS as usize + 1];
-
-/// The middles of facets: from a table for the first levels, computed for the others.
-#[derive(Clone, Copy)]
-struct Middles<'t> {
-    /// The middles in doubles, of the facets of all levels that are in the table, level by level. Empty for other
-    /// numbers.
-    table: &'t [[Vec3; 3]],
-}
-
-impl Middles<'_> {
-    fn new<R: Traced>(sphere: &GeodesicSphere) -> Middles<'static> {
-        if R::ROUNDOFF != R::of(f64::ROUNDOFF) {
-            return Middles { table: &[] };
-        }
-        let levels = sphere.record.splits.min(LEVELS);
-        let table = TABLES[levels as usize].get_or_init(|| {
-            let mut table: Vec<[Vec3; 3]> = Vec::new();
-            for level in 0..levels {
-                let known = Middles { table: &table };
-                let faces = 0..20u32 << (2 * level);
-                let next: Vec<_> = faces
-                    .map(|face| middles(sphere.facet(face, level, known)))
-                    .collect();
-                table.extend(next);
-            }
-            table
-        });
-        Middles { table }
-    }
-
-    /// The middles of facet `face` of a level, which has 20 · 4^level facets.
-    #[inline]
-    fn of<R: Traced>(self, corners: [Vec3<R>; 3], face: u32, level: u32) -> [Vec3<R>; 3] {
-        let before = 20 * ((1 << (2 * level)) - 1) / 3;
-        match self.table.get((before + face) as usize) {
-            Some(known) => each(*known, |middle| Vec3(each(middle.0, R::of))),
-            None => middles(corners),
-        }
-    }
-}
-
 /// The corners of one of the four parts of a facet, which run the same way round.
 fn quarter<T: Copy>([a, b, c]: [T; 3], [bc, ca, ab]: [T; 3], index: u32) -> [T; 3] {
     match index {
@@ -178,6 +123,21 @@ impl GeodesicSphere {
             share: Dd::of(5.0).sqrt() - Dd::of(2.0),
             inner: inner_radius(2.0 * short.to_f64(), splits),
         }
+    }
+
+    /// The radius and the number of splits.
+    pub fn numbers(&self) -> (f64, u32) {
+        (self.record.radius, self.record.splits)
+    }
+
+    /// The distance from the centre, in radii, that no point of a facet is below.
+    pub fn inner(&self) -> f64 {
+        self.inner
+    }
+
+    /// The middles of the edges of facets, for some first levels, level by level: see [`facets_above`].
+    pub fn known_middles(&self) -> &'static [[Vec3; 3]] {
+        Middles::new::<f64>(self).table
     }
 
     /// The scalar products of a vector with the icosahedron's vertices.
@@ -230,7 +190,8 @@ impl GeodesicSphere {
         ((view.depth + depth) * radius / view.shear.pace, face)
     }
 
-    fn icosahedron<R: Traced>(&self) -> [Vec3<R>; 12] {
+    /// The vertices of the icosahedron on the unit sphere.
+    pub fn icosahedron<R: Traced>(&self) -> [Vec3<R>; 12] {
         let [short, long] = each(self.coordinates, narrow::<R>);
         let mut vertices = [Vec3::ZERO; 12];
         for (i, v) in vertices.iter_mut().enumerate() {
@@ -370,7 +331,7 @@ fn inner_radius(edge: f64, splits: u32) -> f64 {
 /// the middle out stretches: over all splits by less than 1.26. Ten levels make 76 units, stretched
 /// by the shear up to √3 times: 132. The projection of a point, relative to one on the line and up
 /// to 2.1 from it, has 4 roundings of at most 4.2 in all, 17 units.
-const SEARCH_ROUNDOFFS: f64 = 160.0;
+pub const SEARCH_ROUNDOFFS: f64 = 160.0;
 
 impl<R: Traced> View<R> {
     fn of(line: &Line<R>, radius: R) -> Sight<R> {

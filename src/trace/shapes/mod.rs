@@ -12,7 +12,7 @@ pub mod convex_piece;
 mod cuboid;
 mod error_bound;
 mod facet;
-mod geodesic_sphere;
+pub mod geodesic_sphere;
 mod half_space;
 pub mod outline;
 mod plane;

@@ -69,7 +69,7 @@ impl Leaves {
         for leaf in operands.all() {
             let leaf = &mut self.all[leaf as usize];
             let is_known = !leaf.is_clear && !whole.is_clear
-                || is_medium && (leaf.ways == whole.ways || !leaf.is_clear);
+                || is_medium && (leaf.look.ways == whole.look.ways || !leaf.is_clear);
             if !(leaf.is_solid && is_known) {
                 return None;
             }
