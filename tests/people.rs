@@ -2,6 +2,7 @@
 //! record that was meant.
 
 mod agreement;
+mod aimed;
 mod blocks;
 mod called;
 mod commas;

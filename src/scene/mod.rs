@@ -25,6 +25,7 @@ mod references;
 mod resolve;
 pub mod sight;
 pub(crate) mod sizes;
+pub(crate) mod target;
 pub mod walk;
 
 pub use camera::transformation;

@@ -225,7 +225,7 @@ fn by_name(p: &Params, n: usize) -> Option<Fix> {
 }
 
 /// The numbers in a text.
-fn numbers(text: &str) -> impl Iterator<Item = f64> {
+pub(super) fn numbers(text: &str) -> impl Iterator<Item = f64> {
     let is_part = |c: char| c.is_ascii_digit() || ".,-".contains(c);
     let words = text.split(move |c: char| !is_part(c));
     let words = words.map(|word| word.trim_end_matches(['.', ',', '-']).replace(',', "."));
@@ -236,7 +236,7 @@ fn numbers(text: &str) -> impl Iterator<Item = f64> {
 const RADIUS: [&str; 3] = ["radius", "radii", "polomer"];
 const DIAMETER: [&str; 3] = ["diameter", "prumer", "across"];
 /// The same for a height.
-const HEIGHT: [&str; 2] = ["height", "vysk"];
+const HEIGHT: [&str; 3] = ["height", "vysk", "vysc"];
 
 /// For a sphere whose comment contradicts its numbers, the case of the finding's message and the fix. Case `radius`:
 /// the radius that the comment tells is written first and not last. Case `diameter`: the number written as radius is
@@ -275,6 +275,24 @@ pub(crate) fn sphere_by_comment(p: &Params) -> Option<(&'static str, Fix)> {
             "diameter",
             Fix::guess("fix-diameter", edits).with("number", number),
         )
+    })
+}
+
+/// Whether a comment says of two numbers that the first is a height and the second a radius (`true`), or the other way
+/// round: by the numbers that it gives, or by the order of the two words. `None` unless it has both words.
+pub(crate) fn is_height_first(text: &str, numbers: [f64; 2]) -> Option<bool> {
+    let place = |any: &[&str]| {
+        let mut words = text.split_whitespace();
+        words.position(|word| words::has(word, any))
+    };
+    let by_words = place(&HEIGHT)? < place(&RADIUS)?;
+    let said = [&HEIGHT[..], &RADIUS].map(|any| number_of(text, any));
+    let is_said = |order: [f64; 2]| said.iter().zip(order).any(|(x, y)| *x == Some(y));
+    let [one, two] = numbers;
+    Some(match (is_said([one, two]), is_said([two, one])) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => by_words,
     })
 }
 

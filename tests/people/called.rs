@@ -510,3 +510,23 @@ fn a_shape_without_its_type_by_a_comment() {
         assert!(made.is_empty(), "{comment}");
     }
 }
+
+/// W321 lengthens no tool where the comment says that it is no tool: only the door is taken from the house.
+#[test]
+fn a_shared_face_of_operands_in_the_wrong_order() {
+    for (house, door, said) in [
+        ("domek", "dveře", "domek - dveře"),
+        ("house", "door", "house minus door"),
+    ] {
+        let text = |base: &str, operands: &str| {
+            scene(&format!(
+                "3 12 -1 0 -1 1 2 1 # {house} #\n4 12 -0.3 {base} 0.5 0.3 1.2 1.5 # {door} #\n2 -103 {operands} # {said} #"
+            ))
+        };
+        let (flush, made) = guessed(&text("0", "4 3"), Code::W321);
+        assert!(made.is_empty(), "{flush:?}");
+        assert_eq!(fixed(&text("0", "4 3")), text("-0.0012", "3 4"));
+        let (_, made) = guessed(&text("0", "3 4"), Code::W321);
+        assert_eq!(made, [text("-0.0012", "3 4")]);
+    }
+}

@@ -86,6 +86,44 @@ fn cylinders_by_a_parabolic_one() {
     );
 }
 
+/// A comment says which of two numbers is the height.
+#[test]
+fn cylinders_by_height_and_radius() {
+    for (written, meant, said) in [
+        ("2 0.1", "0.1 0 0.1 2", "válec: výška 2, poloměr 0.1"),
+        ("2 0.1", "0.1 0 0.1 2", "válec: výška, poloměr"),
+        ("2 0.1", "0.1 0 0.1 2", "o výšce 2 a poloměru 0.1"),
+        (
+            "2 0.5",
+            "0.5 0 0.5 2",
+            "komín: válec, výška 2 a poloměr 0.5",
+        ),
+        ("0.1 2", "0.1 0 0.1 2", "cylinder: radius 0.1, height 2"),
+        ("2 0.1", "0.1 0 0.1 2", "radius 0.1, height 2"),
+        ("2 0.1", "2 0 2 0.1", "disc: radius 2, height 0.1"),
+        ("3 1", "3 0 3 1", "válec: poloměr a výška"),
+        ("3 1", "1 0 1 3", "cylinder: height and radius"),
+    ] {
+        let line = |numbers: &str| format!("2 1 {numbers} # {said} #");
+        let (made, is_taken) = made(&line(written));
+        assert_eq!(made[0], line(&format!("2 {meant}")));
+        assert!(is_taken, "{said}");
+    }
+}
+
+/// A shape that a comment names keeps its type.
+#[test]
+fn shapes_that_comments_name() {
+    for word in ["koule", "ball", "červená koule"] {
+        untaken(&format!("2 11 2 0.6 0.6 # {word} #"), &[]);
+        untaken(&format!("2 11 0 1 0.5 # {word} #"), &[]);
+    }
+    let ellipsoid = |code: u32, said: &str| format!("2 {code} 2 0.6 0.6{said}");
+    untaken(&ellipsoid(11, ""), &[&ellipsoid(10, "")]);
+    let said = " # není to koule #";
+    untaken(&ellipsoid(11, said), &[&ellipsoid(10, said)]);
+}
+
 /// Only what looks like per cent is read as such.
 #[test]
 fn parts_of_light_above_1() {

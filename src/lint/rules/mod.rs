@@ -111,6 +111,7 @@ const SAID: &[RecordKind] = &[
     R::Rotation,
     R::PointLight,
     R::Colour,
+    R::Camera,
 ];
 const RECTANGLES: &[RecordKind] = &[R::Shape(S::Rectangle)];
 const RENDER: &[RecordKind] = &[R::Render];

@@ -1,7 +1,7 @@
 //! A token that is several numbers, since the spaces between them are lost: `-12.5 1 0` is `-1 2.5 1 0`.
 
+use super::cylinders::CYLINDERS;
 use super::sizes::BOX;
-use super::types::CYLINDERS;
 use super::{Candidate, Habit, LineContext};
 use crate::diagnostics::{Applicability, Code, Diagnostic};
 use crate::syntax::Item;

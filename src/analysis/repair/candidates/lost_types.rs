@@ -183,6 +183,19 @@ impl LineContext<'_> {
         );
     }
 
+    /// Takes out the candidates that write another shape than a comment on the line names, where the written type is the
+    /// named one.
+    pub(super) fn keep_named_shape(&self, out: &mut Vec<Candidate>) {
+        let named: Vec<_> = self.named_shapes().map(|ty| ty.code).collect();
+        let mut comments = self.all.iter().filter(|t| t.kind().is_comment());
+        let is_own = self.ty().is_some_and(|own| named.contains(&own.code));
+        if is_own && !comments.any(|t| words::denies(t.text(self.text))) {
+            let is_other =
+                |ty: &RecordType| ty.family == Family::Shape && !named.contains(&ty.code);
+            out.retain(|c| !c.ty.is_some_and(is_other));
+        }
+    }
+
     /// Whether the text tells that a candidate is meant: a comment on the line names the shape whose type the candidate
     /// puts in, and not the shape that the line is if its ID is lost; or pairs with decimal commas are points.
     pub(in crate::analysis::repair) fn tells(&self, candidate: &Candidate) -> bool {

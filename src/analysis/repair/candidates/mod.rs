@@ -7,6 +7,7 @@ pub(super) mod cameras;
 mod clauses;
 mod comments;
 mod complements;
+mod cylinders;
 mod drawn;
 mod flat;
 mod groups;
@@ -312,6 +313,7 @@ impl<'a> LineContext<'a> {
                 Some(assignment) => out.push(assignment),
                 None => self.siblings(&mut out),
             }
+            self.keep_named_shape(&mut out);
             self.by_points(finding, &[undefined, taken].concat(), &mut out);
             self.flat(finding, &mut out);
             self.by_sizes(finding, &mut out);

@@ -13,6 +13,7 @@ use rustc_hash::FxHashSet;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
 use crate::lint::roots;
+use crate::lint::rules::swapped_difference;
 use crate::lint::spelling::near;
 use crate::lint::{Context, live_nodes};
 use crate::parallel;
@@ -55,11 +56,20 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     found.sort_by_key(group);
     let parents = Parents::new(scene, &live);
+    // W340 proposes other operands or another operation.
+    let contradicted = swapped_difference::contradicted(context);
     let groups: Vec<&[FaceContact]> = found.chunk_by(|a, b| group(a) == group(b)).collect();
     let findings = parallel::map(groups.len(), |i| {
         let pairs = groups[i];
         let (operation, _, case) = group(&pairs[0]);
-        finding(context, operation, case, pairs, &parents)
+        let found = finding(context, operation, case, pairs, &parents);
+        found.map(|d| match contradicted.contains(&operation) {
+            true => Diagnostic {
+                fixes: Vec::new(),
+                ..d
+            },
+            false => d,
+        })
     });
     out.extend(findings.into_iter().flatten());
 }

@@ -12,3 +12,5 @@ W344-height = komentář říká { $said }, ale { $type } { $id } má { $place }
     .label = toto je d v ax + by + cz + d
     .help = u normály délky 1 je d opačné číslo ke vzdálenosti podél ní
     .fix = { W344.fix }
+W344-target = komentář mluví o bodu, na který se kamera { $id } dívá, ale tato čísla jsou směr
+    .label = tímto směrem kamera hledí ze své polohy

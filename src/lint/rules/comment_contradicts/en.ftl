@@ -12,3 +12,5 @@ W344-height = the comment says { $said }, but the { $type } { $id } is at { $pla
     .label = this is d in ax + by + cz + d
     .help = with a normal of length 1, d is the opposite of the distance along it
     .fix = { W344.fix }
+W344-target = the comment names the point that the camera { $id } looks at, but these numbers are a direction
+    .label = the camera looks this way from its position

@@ -1,9 +1,10 @@
-//! W344: a record whose comment names another light, axis, colour or height than its numbers.
+//! W344: a record whose comment names another light, axis, colour, height or point to look at than its numbers.
 
 mod axes;
 mod colours;
 mod heights;
 mod lights;
+mod targets;
 
 use crate::diagnostics::Diagnostic;
 use crate::lint::Context;
@@ -33,5 +34,6 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     if !context.has_broken() {
         lights::check(context, &lamps, out);
         heights::check(context, &planes, out);
+        targets::check(context, out);
     }
 }

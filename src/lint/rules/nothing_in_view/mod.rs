@@ -7,6 +7,7 @@ use crate::lint::records::chosen_cameras;
 use crate::lint::rules::{angle_in_radians, camera_in_solid};
 use crate::lint::spelling::{decimal, near, opposite};
 use crate::scene::record::Params;
+use crate::scene::target::target_by_comment;
 use crate::scene::{Camera, Node, NodeId, Scene, Vec3};
 use crate::syntax::quote;
 use crate::syntax::table::RecordKind;
@@ -16,7 +17,7 @@ use crate::trace::plan::unseen::view::{OutOfView, Parts, USUAL, held, out_of_vie
 const AIMED: f64 = 0.9;
 /// Least cosine of the angle between the direction of a camera and the way to the middle, for a camera that is aimed at
 /// the middle.
-const AIMED_AT_MIDDLE: f64 = 0.97;
+pub(super) const AIMED_AT_MIDDLE: f64 = 0.97;
 /// The greatest length of directions as people write them: most have the length 1, or one component 1 and another one a
 /// part of 1.
 pub(super) const LONGEST_WRITTEN: f64 = 1.5;
@@ -108,7 +109,8 @@ pub(super) fn name(side: OutOfView) -> &'static str {
 
 /// Fixes that turn the camera towards what is drawn, or towards the bounded objects: direction and up vector are
 /// exchanged, components of the direction get the other sign, the direction is read as a point to look at, or the
-/// camera looks at the middle. Empty if a transformation moves the camera.
+/// camera looks at the middle. The point comes first if a comment speaks of one. Empty if a transformation moves the
+/// camera.
 fn turned(
     context: &Context,
     root: NodeId,
@@ -125,7 +127,9 @@ fn turned(
     let sees = |way: Vec3| sees(context, root, camera, way, of);
     let signs = signs(camera.direction, side, sees);
     let mut fixes = Vec::from_iter(signs.map(|signs| with_signs(signs, p)));
-    fixes.extend(turned_to_point(camera, p, sees));
+    let to_point = turned_to_point(camera, p, sees);
+    let said = to_point.clone().filter(|_| target_by_comment(p).is_some());
+    fixes.extend(to_point);
     let way = sub(ended.centre(), camera.position);
     // A direction that is a place among the bounded objects is rather a point to look at, unless the opposite direction
     // aims at the middle.
@@ -146,7 +150,9 @@ fn turned(
         let other = fix("fix", Vec::new(), numbers, p);
         fixes.extend((fixes.iter().all(|f| f.edits != other.edits)).then_some(other));
     }
-    [swapped, fixes].concat()
+    let others = [swapped, fixes].concat().into_iter();
+    let others = others.filter(|f| said.as_ref().is_none_or(|said| f.edits != said.edits));
+    Vec::from_iter(said.clone().into_iter().chain(others))
 }
 
 /// Adds fixes that give one coordinate of the camera's place the other sign, if the camera is then in no solid and sees
@@ -259,7 +265,11 @@ fn with_signs(signs: Signs, p: &Params) -> Fix {
 }
 
 /// The fix that reads the direction as a point to look at. `None` if the camera then sees nothing.
-fn turned_to_point(camera: &Camera, p: &Params, sees: impl Fn(Vec3) -> bool) -> Option<Fix> {
+pub(super) fn turned_to_point(
+    camera: &Camera,
+    p: &Params,
+    sees: impl Fn(Vec3) -> bool,
+) -> Option<Fix> {
     let way = sub(camera.direction, camera.position);
     if !sees(way) {
         return None;

@@ -40,6 +40,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     out.extend(said.iter().map(|(p, _, meant)| finding(p, meant)));
 }
 
+/// The operations that W340 reports.
+pub(super) fn contradicted(context: &Context) -> FxHashSet<NodeId> {
+    said(context).into_iter().map(|(_, node, _)| node).collect()
+}
+
 /// The intersections that W340 reports, since comments describe a difference.
 pub(super) fn intersections(context: &Context) -> FxHashSet<NodeId> {
     let said = said(context).into_iter();
