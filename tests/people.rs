@@ -25,6 +25,7 @@ mod rules;
 mod said;
 mod scenes;
 mod shell;
+mod slipped;
 mod slips;
 mod student;
 mod surplus;

@@ -1,0 +1,100 @@
+//! Operands, numbers and records in the place of others, where sizes and comments say what was meant.
+
+use zpg::internals::diagnostics::{Code, Diagnostic, Language};
+
+use super::{fixed, guessed, read};
+
+fn scene(records: &str, drawn: u32) -> String {
+    format!(
+        "{records}\n9 -501 2 3 8 -0.2 -0.35 -1 0 1 0 40\n50 -402 0.9\n50 -1 4 6 8\n1 9999 {drawn} 0\n"
+    )
+}
+
+fn of_code(text: &str, code: Code) -> Vec<Diagnostic> {
+    let all = read(text).findings().to_vec();
+    all.into_iter().filter(|d| d.code == code).collect()
+}
+
+/// The records, the object that is drawn, and what each proposal makes of a piece of the records.
+type Slip = (&'static str, u32, &'static str, &'static [&'static str]);
+
+/// Checks the proposals for a finding, in their order, and that each has words in both languages.
+fn expect(code: Code, cases: &[Slip]) {
+    for &(records, drawn, written, meant) in cases {
+        let text = scene(records, drawn);
+        assert_eq!(text.matches(written).count(), 1, "{text}");
+        let (finding, made) = guessed(&text, code);
+        let meant: Vec<String> = meant.iter().map(|m| text.replace(written, m)).collect();
+        assert_eq!(made, meant, "{text}");
+        for language in [Language::English, Language::Czech] {
+            let said = finding.wording(language);
+            assert_eq!(said.fixes.len(), made.len());
+            assert!(!said.message.is_empty());
+        }
+    }
+}
+
+/// The pips are much smaller than the die that is taken away from them.
+#[test]
+fn a_coloured_die_is_taken_away_from_its_pips() {
+    let die = |comment: &str| {
+        let records = format!(
+            "2 12 -6 -2 -4 6 -1 4\n30 12 -1 -1 -1 1 1 1{comment}\n30 -701 0.9 0.1 0.1\n31 11 0 0 1 0.3 # pip in front #\n\
+             32 11 0 1 0 0.3 # pip on top #\n33 -101 31 32\n36 -103 33 30\n36 -2 30 2\n40 -101 2 36"
+        );
+        scene(&records, 40)
+    };
+    let text = die("");
+    let (finding, made) = guessed(&text, Code::W331);
+    let meant = ["36 -103 30 33", "36 -101 33 30"];
+    assert_eq!(made, meant.map(|m| text.replace("36 -103 33 30", m)));
+    for (language, said) in [
+        (Language::English, "are its operands swapped?"),
+        (Language::Czech, "nejsou operandy prohozené?"),
+    ] {
+        assert!(finding.wording(language).message.ends_with(said));
+    }
+    assert_eq!(fixed(&text), text);
+    // A large object that a thin tool is taken from is no tool.
+    let large = die("").replace("31 11 0 0 1 0.3", "31 12 -4 -4 -4 4 4 0.5");
+    let (_, made) = guessed(&large, Code::W331);
+    assert_eq!(made, [large.replace("36 -103 33 30", "36 -101 33 30")]);
+    // Where W340 says it, W331 has nothing to add.
+    for comment in ["# cube without the pips #", "# krychle bez puntíků #"] {
+        let name = comment
+            .replace("without the pips", "")
+            .replace("bez puntíků", "");
+        let said = die(&format!(" {name}"))
+            .replace("33 -101 31 32", "33 -101 31 32 # all pips, puntíky #")
+            .replace("36 -103 33 30", &format!("36 -103 33 30 {comment}"));
+        assert_eq!(of_code(&said, Code::W340).len(), 1, "{said}");
+        assert!(of_code(&said, Code::W331).is_empty(), "{said}");
+    }
+}
+
+/// The operands stay as the comment has them, and the ball in the union is the one that is too large.
+#[test]
+fn a_part_of_a_tool_is_too_large() {
+    let cut = |comment: &str| {
+        let records = format!(
+            "30 12 -1 -1 -1 1 1 1\n31 11 0 0 1 0.3\n32 11 0 1 0 3\n33 -101 31 32\n36 -103 30 33{comment}"
+        );
+        scene(&records, 36)
+    };
+    for comment in [
+        " # cube without pips #",
+        " # krychle bez puntíků #",
+        " # cube with holes #",
+        " # krychle s otvory #",
+    ] {
+        let text = cut(comment);
+        let (_, made) = guessed(&text, Code::W319);
+        assert_eq!(made, [text.replace("0 1 0 3\n", "0 1 0 0.3\n")], "{text}");
+        assert_eq!(fixed(&text), text);
+    }
+    for comment in ["", " # pips #", " # pips without the cube #"] {
+        let text = cut(comment);
+        let (_, made) = guessed(&text, Code::W319);
+        assert_eq!(made, [text.replace("30 33", "33 30")], "{text}");
+    }
+}
