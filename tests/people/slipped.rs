@@ -98,3 +98,38 @@ fn a_part_of_a_tool_is_too_large() {
         assert_eq!(made, [text.replace("30 33", "33 30")], "{text}");
     }
 }
+
+#[test]
+fn a_profile_with_a_lost_point_or_with_pairs_the_other_way_round() {
+    const SWAPPED: &str = "0.45 0 0.45 1.3 0.15 1.7 0.15 2.1 0.2 2.1 0.2 2.2";
+    let lost = "20 1 6 0.45 0 0.45 13 0.15 1.7 0.15 2.1 0.2 2.1 0.2 2.2";
+    expect(
+        Code::W320,
+        &[
+            (lost, 20, "13 0.15", &["1.3 0.15"]),
+            (
+                "20 1 6 0 0.45 1.3 0.45 1.7 0.15 2.1 0.15 2.1 0.2 2.2 0.2 # bottle: height, radius #",
+                20,
+                "0 0.45 1.3 0.45 1.7 0.15 2.1 0.15 2.1 0.2 2.2 0.2",
+                &[SWAPPED],
+            ),
+            (
+                "20 1 6 0 0.45 1.3 0.45 1.7 0.15 2.1 0.15 2.1 0.2 2.2 0.2 # láhev: výška, poloměr #",
+                20,
+                "0 0.45 1.3 0.45 1.7 0.15 2.1 0.15 2.1 0.2 2.2 0.2",
+                &[SWAPPED],
+            ),
+            // The comment has the other order, and the heights would be radii below zero.
+            (
+                "20 1 4 2 0 3 2 1 -1 0 -1 # height, radius #",
+                20,
+                "2 0 3 2 1 -1 0 -1",
+                &[],
+            ),
+        ],
+    );
+    assert_eq!(
+        fixed(&scene(lost, 20)),
+        scene(lost, 20).replace(" 13 ", " 1.3 ")
+    );
+}
