@@ -133,3 +133,30 @@ fn a_profile_with_a_lost_point_or_with_pairs_the_other_way_round() {
         scene(lost, 20).replace(" 13 ", " 1.3 ")
     );
 }
+
+#[test]
+fn a_lamp_above_that_is_below_everything() {
+    let lamp = |comment: &str| {
+        let text = scene("2 12 -3 -1 -3 3 0 3\n3 9 0.4\n4 -101 2 3", 4);
+        text.replace("50 -1 4 6 8", &format!("50 -1 -5 -8 6{comment}"))
+    };
+    for comment in [
+        " # lamp above the table #",
+        " # světlo nad stolem #",
+        " # overhead #",
+    ] {
+        let text = lamp(comment);
+        let (finding, made) = guessed(&text, Code::W344);
+        assert_eq!(made, [text.replace("-5 -8 6", "-5 8 6")]);
+        assert!(of_code(&made[0], Code::W344).is_empty());
+        assert_eq!(fixed(&text), made[0]);
+        let czech = finding.wording(Language::Czech);
+        assert!(czech.message.contains("nad něčím"));
+    }
+    for comment in ["", " # lamp below, not above #", " # světlo pod stolem #"] {
+        assert!(of_code(&lamp(comment), Code::W344).is_empty());
+    }
+    // A lamp above one of two objects is right.
+    let between = lamp(" # lamp above the table #").replace("3 9 0.4", "3 11 0 -12 0 1");
+    assert!(of_code(&between, Code::W344).is_empty());
+}

@@ -12,3 +12,6 @@ W344-height = komentář říká { $said }, ale { $type } { $id } má { $place }
     .label = toto je d v ax + by + cz + d
     .help = u normály délky 1 je d opačné číslo ke vzdálenosti podél ní
     .fix = { W344.fix }
+W344-above = podle komentáře je světlo { $id } nad něčím, ale leží pod všemi omezenými objekty
+    .label = y je výška
+    .fix = { W344.fix }

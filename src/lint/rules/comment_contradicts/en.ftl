@@ -12,3 +12,6 @@ W344-height = the comment says { $said }, but the { $type } { $id } is at { $pla
     .label = this is d in ax + by + cz + d
     .help = with a normal of length 1, d is the opposite of the distance along it
     .fix = { W344.fix }
+W344-above = the comment says that the light { $id } is above something, but it is below all bounded objects
+    .label = y is the height
+    .fix = { W344.fix }
