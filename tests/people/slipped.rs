@@ -160,3 +160,21 @@ fn a_lamp_above_that_is_below_everything() {
     let between = lamp(" # lamp above the table #").replace("3 9 0.4", "3 11 0 -12 0 1");
     assert!(of_code(&between, Code::W344).is_empty());
 }
+
+/// A mirror might show an object beside the picture, but hardly one that is so far away.
+#[test]
+fn far_beside_a_picture_with_a_mirror() {
+    let of = |x: &str| {
+        let records = format!(
+            "2 4 0 1 0 0\n3 11 0 1 0 1\n3 -201 0.1 0.8 0.1\n4 11 1.5 0.5 0 0.5\n5 11 {x} 0.4 2 0.4\n\
+             6 11 -1 0.3 2 0.3\n7 -101 6 5\n8 -101 7 4\n10 -101 8 3\n11 -101 2 10"
+        );
+        scene(&records, 11)
+    };
+    let text = of("15");
+    let (_, made) = guessed(&text, Code::N608);
+    assert_eq!(made, [of("1.5")]);
+    // Out of the picture, but near enough for the mirror.
+    let near = of("-5").replace("9 -501 2 3 8", "9 -501 4 3 8");
+    assert!(of_code(&near, Code::N608).is_empty());
+}
