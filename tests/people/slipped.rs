@@ -178,3 +178,28 @@ fn far_beside_a_picture_with_a_mirror() {
     let near = of("-5").replace("9 -501 2 3 8", "9 -501 4 3 8");
     assert!(of_code(&near, Code::N608).is_empty());
 }
+
+#[test]
+fn a_move_between_the_records_of_another_object() {
+    let of = |comment: &str| {
+        let records = format!(
+            "2 4 0 1 0 0\n10 1 2 0.1 0 0.1 2 # rod #\n10 -701 0.5 0.5 0.5\n11 1 4 0.1 0 0.5 0 0.3 0.5 0.1 0.5\n\
+             10 -1 0 1.8 0{comment}\n11 -701 0.9 0.9 0.2\n12 -101 10 11\n13 -101 2 12"
+        );
+        scene(&records, 13)
+    };
+    let text = of("");
+    let (_, made) = guessed(&text, Code::N610);
+    assert_eq!(made, [text.replace("10 -1 0", "11 -1 0")]);
+    // A comment names the object that is moved, or the other one is moved, too.
+    for meant in [
+        of(" # lift the wooden rod #").replace("# rod #", "# wooden rod #"),
+        text.replace("11 -701", "11 -1 0 2 0\n11 -701"),
+        text.replace(
+            "10 -1 0 1.8 0\n11 -701 0.9 0.9 0.2",
+            "11 -701 0.9 0.9 0.2\n10 -1 0 1.8 0",
+        ),
+    ] {
+        assert!(of_code(&meant, Code::N610).is_empty(), "{meant}");
+    }
+}
