@@ -203,3 +203,43 @@ fn a_move_between_the_records_of_another_object() {
         assert!(of_code(&meant, Code::N610).is_empty(), "{meant}");
     }
 }
+
+#[test]
+fn what_lies_on_a_table_has_the_other_height() {
+    expect(
+        Code::W335,
+        &[
+            (
+                "2 12 -3 -1 -3 3 0 3\n5 9 0.4\n5 -1 2 -0.5 1 # on the table #\n6 -101 2 5",
+                6,
+                "5 -1 2 -0.5 1",
+                &["5 -1 2 0.5 1"],
+            ),
+            (
+                "2 12 -3 -1 -3 3 0 3\n5 9 0.4\n5 -1 2 -0.5 1 # na stole #\n6 -101 2 5",
+                6,
+                "5 -1 2 -0.5 1",
+                &["5 -1 2 0.5 1"],
+            ),
+            // Nothing says on, it is in the table, or the other height is inside as well.
+            (
+                "2 12 -3 -1 -3 3 0 3\n5 9 0.4\n5 -1 2 -0.5 1\n6 -101 2 5",
+                6,
+                "5 -1 2 -0.5 1",
+                &[],
+            ),
+            (
+                "2 12 -3 -1 -3 3 0 3\n5 9 0.4\n5 -1 2 -0.5 1 # hole in the table #\n6 -101 2 5",
+                6,
+                "5 -1 2 -0.5 1",
+                &[],
+            ),
+            (
+                "2 12 -3 -1 -3 3 1 3\n5 9 0.4\n5 -1 2 -0.5 1 # on the table #\n6 -101 2 5",
+                6,
+                "5 -1 2 -0.5 1",
+                &[],
+            ),
+        ],
+    );
+}
