@@ -243,3 +243,38 @@ fn what_lies_on_a_table_has_the_other_height() {
         ],
     );
 }
+
+#[test]
+fn a_part_of_a_tool_that_misses_what_is_cut() {
+    let of = |y: &str, more: &str| {
+        let records = format!(
+            "30 12 -1 -1 -1 1 1 1\n31 11 0 0 1 0.3\n32 11 0 {y} 0 0.3\n33 -101 31 32\n36 -103 30 33{more}"
+        );
+        scene(&records, 36)
+    };
+    let all = of_code(&of("10", ""), Code::W332);
+    assert_eq!((all.len(), all[0].case), (1, "part"));
+    for (language, said) in [
+        (
+            Language::English,
+            "a part of that, the sphere 32, does not touch the box 30",
+        ),
+        (
+            Language::Czech,
+            "jeho část 32 (koule) se nedotýká objektu 30 (kvádr)",
+        ),
+    ] {
+        let message = all[0].wording(language).message;
+        assert!(message.contains(said), "{message}");
+    }
+    assert!(of_code(&of("1", ""), Code::W332).is_empty());
+    // The part, or the whole tool, is for another object, too.
+    for more in [
+        "\n37 12 -1 9 -1 1 11 1\n38 -103 37 33\n39 -101 36 38",
+        "\n37 12 -1 9 -1 1 11 1\n38 -103 37 32\n39 -101 36 38",
+    ] {
+        let text = of("10", more).replace("9999 36", "9999 39");
+        let parts = of_code(&text, Code::W332);
+        assert!(parts.iter().all(|d| d.case != "part"), "{text}");
+    }
+}
