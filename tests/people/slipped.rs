@@ -278,3 +278,26 @@ fn a_part_of_a_tool_that_misses_what_is_cut() {
         assert!(parts.iter().all(|d| d.case != "part"), "{text}");
     }
 }
+
+#[test]
+fn glass_by_its_comment_beside_a_lens_with_an_index() {
+    let of = |comment: &str| {
+        let records = format!(
+            "2 4 0 1 0 0\n20 11 0 1 0 0.8\n20 -201 0.1 0.1 0.8{comment}\n21 10 1 1 0.3\n\
+             21 -201 0.1 0.1 0.8\n21 -203 1.5 1.5 1.5\n21 -1 2 1 2\n22 -101 20 21\n23 -101 2 22"
+        );
+        scene(&records, 23)
+    };
+    for comment in [" # glass #", " # sklo #"] {
+        let text = of(comment);
+        let (_, made) = guessed(&text, Code::W337);
+        let line = format!("20 -201 0.1 0.1 0.8{comment}\n");
+        assert_eq!(
+            made,
+            [text.replace(&line, &format!("{line}20 -203 1.5 1.5 1.5\n"))]
+        );
+    }
+    for comment in ["", " # no glass #", " # ball #"] {
+        assert!(of_code(&of(comment), Code::W337).is_empty());
+    }
+}
