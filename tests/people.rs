@@ -26,6 +26,7 @@ mod rules;
 mod said;
 mod scenes;
 mod shell;
+mod slipped;
 mod slips;
 mod student;
 mod surplus;

@@ -10,7 +10,7 @@ mod places;
 mod properties;
 mod rays;
 mod records;
-mod rules;
+pub(crate) mod rules;
 pub mod signs;
 pub mod spelling;
 

@@ -58,7 +58,7 @@ mod stale_operand;
 mod standing_floor;
 mod stereo_pair;
 mod surface_operand;
-mod swapped_difference;
+pub(crate) mod swapped_difference;
 mod too_bright;
 mod turned_about_origin;
 mod unseen_glass;

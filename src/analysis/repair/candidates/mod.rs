@@ -354,8 +354,10 @@ impl<'a> LineContext<'a> {
             self.called_shape(finding, &mut out);
             self.one_too_few(finding, &mut out);
         } else if finding.code == Code::W319 {
-            out.extend(self.smaller_cut());
-            self.swapped(&mut out);
+            out.extend(self.smaller_cut(finding));
+            if !self.is_in_order() {
+                self.swapped(&mut out);
+            }
         }
         let is_keyword = |c: &Candidate| matches!(c.habit, Habit::Keyword | Habit::Unnamed);
         if out

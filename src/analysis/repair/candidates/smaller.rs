@@ -1,7 +1,8 @@
 //! Shapes that a difference takes away, with a length that has lost its decimal point.
 
 use super::{Candidate, Habit, LineContext};
-use crate::diagnostics::{Applicability, Fix};
+use crate::diagnostics::{Applicability, Diagnostic, Fix, Value};
+use crate::lint::rules::swapped_difference;
 use crate::scene::record::Params;
 use crate::syntax::table::{Constraint, RecordKind};
 use crate::syntax::{Item, Record, quote, tenth, words};
@@ -12,15 +13,24 @@ const CUT: [&str; 2] = ["cut", "vyrez"];
 const MAX_LENGTHS: usize = 3;
 
 impl LineContext<'_> {
-    /// Guesses that the shape which is taken away has a length, a whole number, that is ten times too large: `6` may be
-    /// `0.6`. Only where a comment says that the shape is a hole or a cut.
-    pub(super) fn smaller_cut(&self) -> Vec<Candidate> {
+    /// Guesses that the shape which is taken away, or the one of a union that takes all away, has a length, a whole
+    /// number, that is ten times too large: `6` may be `0.6`. Only where a comment says that the shape is a hole or a cut,
+    /// or that the first operand is what remains.
+    pub(super) fn smaller_cut(&self, finding: &Diagnostic) -> Vec<Candidate> {
         let is_difference = self
             .ty()
             .is_some_and(|ty| ty.kind == RecordKind::Difference);
+        let number = |name: &str| {
+            let all = finding.values.iter().find(|v| v.0 == name);
+            all.and_then(|(_, value)| match value {
+                Value::Text(text) => text.parse::<i64>().ok(),
+                _ => None,
+            })
+        };
         let cut = self.int(3).filter(|_| is_difference);
-        let cut = cut.and_then(|id| self.shape(id));
-        let Some(p) = cut.filter(is_cut) else {
+        let cut = cut.and_then(|id| self.shape(id).or_else(|| self.shape(number("two-id")?)));
+        let is_said = |p: &Params| is_cut(p) || self.is_in_order();
+        let Some(p) = cut.filter(is_said) else {
             return Vec::new();
         };
         let length = |i: usize| {
@@ -41,6 +51,11 @@ impl LineContext<'_> {
             Candidate::new(Habit::Swapped, fix)
         });
         candidates.collect()
+    }
+
+    /// Whether the comment on a difference says that its first operand is the one that remains.
+    pub(super) fn is_in_order(&self) -> bool {
+        swapped_difference::is_in_order(&self.analysis.context(), self.line)
     }
 
     /// Whether the record that defines the first operand has a comment that does not call it a hole or a cut.

@@ -1,4 +1,4 @@
-//! N610: a property, a rotation or a scaling of an object that stands among the records of another object, which has none of
+//! N610: a property or a transformation of an object that stands among the records of another object, which has none of
 //! its kind.
 
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -19,13 +19,15 @@ const LOOK: Changes = 1;
 const PARTS: Changes = 2;
 const TURN: Changes = 4;
 const SCALE: Changes = 8;
+const MOVE: Changes = 16;
 
-/// The changes that a record makes, but for translations: W336 speaks of those.
+/// The changes that a record makes.
 fn changes(kind: RecordKind) -> Changes {
     match kind {
         RecordKind::Assignment => LOOK | PARTS,
         RecordKind::Rotation | RecordKind::RotationMatrix => TURN,
         RecordKind::Scaling => SCALE,
+        RecordKind::Translation => MOVE,
         kind if TEXTURES_AND_COLOURS.contains(&kind) => LOOK,
         kind if OPTICS.contains(&kind) => PARTS,
         _ => 0,
@@ -73,7 +75,10 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             continue;
         }
         let changes = changes(record.kind);
+        let is_between = records.peek().is_some_and(|next| next.id == above.id);
         let is_stray = changes != 0
+            // Objects are often moved after all are defined.
+            && (changes != MOVE || is_between)
             && objects.contains_key(&record.id)
             && !used.contains(&record.id)
             && given[&above.id][0] & changes == 0
@@ -83,9 +88,11 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             other = None;
             continue;
         }
-        // Between two changes of the other object, or a turn of a ball, which is hardly meant.
-        let is_within = records.peek().is_some_and(|next| next.id == above.id)
-            && (grouped.contains(&above.id) || changes == TURN && is_ball(objects[&record.id]));
+        // Between two records of the other object, or a turn of a ball, which is hardly meant.
+        let is_within = is_between
+            && (changes == MOVE
+                || grouped.contains(&above.id)
+                || changes == TURN && is_ball(objects[&record.id]));
         strays.push(Stray {
             record,
             other: above,

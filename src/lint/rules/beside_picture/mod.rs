@@ -1,8 +1,9 @@
 //! N608: a small object outside of the picture, where another reading of one coordinate, with the other sign or a
-//! decimal point, would bring the object into the picture.
+//! decimal point, would bring the object into the picture. Where something mirrors or lets light through, only an object
+//! that is much farther away than all others.
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Fix, Span, Value};
-use crate::geometry::array::add;
+use crate::geometry::array::{add, length, sub};
 use crate::geometry::{Aabb, Matrix};
 use crate::lint::Context;
 use crate::lint::rules::nothing_in_view::name;
@@ -21,11 +22,14 @@ const MAX_NODES: usize = 200_000;
 const MAX_ASIDE: usize = 4;
 /// Least number of objects in the picture for each object outside of it.
 const MIN_WITHIN_PER_ASIDE: usize = 2;
+/// Least ratio of the distance of an object from the middle of the others to the largest of theirs, where the object may
+/// be seen in a mirror or through glass.
+const MIN_DISTANCE_RATIO: f64 = 3.0;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
-    if scene.nodes.len() > MAX_NODES || scene.has_mirrors_or_glass() {
+    if scene.nodes.len() > MAX_NODES {
         return;
     }
     let Some(views) = Views::new(scene, context.bounds(), render.root) else {
@@ -36,7 +40,16 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
         return;
     }
     let picture = views.within.iter().fold(Aabb::EMPTY, |all, b| all.hull(b));
-    for part in &views.aside {
+    let reach = match scene.has_mirrors_or_glass() {
+        true => {
+            let corners = views.within.iter().flat_map(|b| [b.min, b.max]);
+            let far = corners.map(|place| length(sub(place, picture.centre())));
+            MIN_DISTANCE_RATIO * far.fold(0.0, f64::max)
+        }
+        false => 0.0,
+    };
+    let is_far = |part: &Aside| length(sub(part.bounds.centre(), picture.centre())) >= reach;
+    for part in views.aside.iter().filter(|part| is_far(part)) {
         // An object as large as all the others together is a wall or a floor.
         if part.bounds.radius() < picture.radius() {
             out.extend(finding(context, &views, part));

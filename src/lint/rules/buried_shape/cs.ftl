@@ -2,6 +2,11 @@ W335 = { $object } { $object-id } není nikdy vidět: celý objekt leží uvnit�
     .label = toto je celé skryté
     .solid = tímto tělesem, které nepropouští světlo
     .help = nemá to být rozdíl? Díra se píše `-103 { $solid-id } { $object-id }`
+W335-on-top = { W335 }
+    .label = { W335.label }
+    .solid = { W335.solid }
+    .fix-on-top = má-li ležet nahoře, napsat { $number }
+    .note = má-li to být díra, je to rozdíl: `-103 { $solid-id } { $object-id }`
 W335-several = { $count ->
     [one] { $count } objekt není
     [few] { $count } objekty nejsou

@@ -2,6 +2,11 @@ W335 = the { $object } { $object-id } is never seen: all of it lies inside of th
     .label = all of this is hidden
     .solid = by this, which lets no light through
     .help = did you mean a difference? To cut a hole, write `-103 { $solid-id } { $object-id }`
+W335-on-top = { W335 }
+    .label = { W335.label }
+    .solid = { W335.solid }
+    .fix-on-top = to put it on top, write { $number }
+    .note = if a hole is meant, it is a difference: `-103 { $solid-id } { $object-id }`
 W335-several = { $count ->
     [one] one object is
    *[other] { $count } objects are

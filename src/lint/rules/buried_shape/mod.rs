@@ -1,6 +1,7 @@
 //! W335: a part of what is drawn that lies wholly inside of an opaque solid, or behind an opaque plane.
 
 pub(super) mod mended;
+mod on_top;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -90,7 +91,13 @@ fn finding(context: &Context, solid: Named, all: &[(Named, NodeId)]) -> Diagnost
     let (better, fixes) = match (&own, kind) {
         (Some(p), Some(ShapeKind::HalfSpace)) => mended::mended(context, (solid, p), all),
         (Some(p), Some(ShapeKind::Plane)) => (None, mended::plane(context, (solid, p))),
-        _ => Default::default(),
+        _ => match *all {
+            [(_, node)] => {
+                let fix = on_top::on_top(context, node, solid);
+                (fix.is_some().then_some("on-top"), Vec::from_iter(fix))
+            }
+            _ => Default::default(),
+        },
     };
     let case = better.unwrap_or(match (kind, all.len()) {
         (Some(ShapeKind::Plane), 1) => "plane",

@@ -14,3 +14,6 @@ W344-height = komentář říká { $said }, ale { $type } { $id } má { $place }
     .fix = { W344.fix }
 W344-target = komentář mluví o bodu, na který se kamera { $id } dívá, ale tato čísla jsou směr
     .label = tímto směrem kamera hledí ze své polohy
+W344-above = podle komentáře je světlo { $id } nad něčím, ale leží pod všemi omezenými objekty
+    .label = y je výška
+    .fix = { W344.fix }

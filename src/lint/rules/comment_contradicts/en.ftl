@@ -14,3 +14,6 @@ W344-height = the comment says { $said }, but the { $type } { $id } is at { $pla
     .fix = { W344.fix }
 W344-target = the comment names the point that the camera { $id } looks at, but these numbers are a direction
     .label = the camera looks this way from its position
+W344-above = the comment says that the light { $id } is above something, but it is below all bounded objects
+    .label = y is the height
+    .fix = { W344.fix }

@@ -1,5 +1,6 @@
-//! W344: a record whose comment names another light, axis, colour, height or point to look at than its numbers.
+//! W344: a record whose comment names another light, axis, colour, height, side or point to look at than its numbers.
 
+mod above;
 mod axes;
 mod colours;
 mod heights;
@@ -32,6 +33,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     }
     // What cannot be read may move anything.
     if !context.has_broken() {
+        above::check(context, out);
         lights::check(context, &lamps, out);
         heights::check(context, &planes, out);
         targets::check(context, out);

@@ -1,6 +1,7 @@
 //! W332: a difference that certainly takes nothing away: the tool lies apart from the first operand, or merely touches
-//! it.
+//! it; and one whose tool is a union with a part that lies apart.
 
+mod parts;
 pub(in crate::lint::rules) mod touching;
 
 use rustc_hash::FxHashSet;
@@ -41,6 +42,7 @@ pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
             out.extend(touch(context, node, (a, b)));
         }
     }
+    parts::check(context, &proven, out);
 }
 
 /// The finding about operands that merely touch. The fix makes a union of the difference, which is rather meant. `None`

@@ -22,7 +22,7 @@ pub(in crate::lint::rules) fn touch(context: &Context, a: NodeId, b: NodeId) -> 
 }
 
 /// The parts of a union. `None` if there are too many, or if one is a surface or empty.
-fn parts(context: &Context, node: NodeId) -> Option<Vec<NodeId>> {
+pub(super) fn parts(context: &Context, node: NodeId) -> Option<Vec<NodeId>> {
     let (mut all, mut open) = (Vec::new(), vec![node]);
     while let Some(node) = open.pop() {
         match context.scene.nodes[node as usize] {

@@ -15,6 +15,7 @@ use crate::parallel;
 use crate::scene::{DEFAULT_COLOUR, DEFAULT_INDEX, Node, NodeId, Scene, Texture, fold_up};
 use crate::solids::proofs::{Proofs, Reason};
 use crate::solids::shapes::facts::Facts;
+use crate::syntax::table::RecordKind;
 
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
@@ -182,7 +183,7 @@ fn report(context: &Context, mixed: &[(NodeId, [bool; 3])], out: &mut Vec<Diagno
     let titles = context.titles();
     let properties = Properties::new(context);
     // W340 proposes a difference in place of these intersections.
-    let differences = swapped_difference::intersections(context);
+    let differences = swapped_difference::reported(context, RecordKind::Intersection);
     let finding = |&(node, differ): &(NodeId, [bool; 3])| {
         let origin = context.scene.origins[node as usize];
         let p = context.params(origin.span)?;

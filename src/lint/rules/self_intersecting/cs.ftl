@@ -11,6 +11,12 @@ W320 = { $type } { $id }: profil protíná sám sebe poblíž bodu ({ $x }; { $y
     }
     .note = co profil obíhá dvakrát, je podle pravidla sudá–lichá venku: uvnitř je dutina
     .help = nejsou dva body profilu v opačném pořadí?
+W320-mended = { W320 }
+    .label = { W320.label }
+    .other = { W320.other }
+    .note = { W320.note }
+    .fix-point = ztratilo-li { $old } desetinnou tečku, napsat { $number }
+    .fix-pairs = stojí-li výška před poloměrem, prohodit čísla každého bodu
 W320-torus = torus { $id } prochází sám sebou: trubka (`r = { $tube }`) je širší než prstenec (`R = { $ring }`)
     .label = r, poloměr trubky
     .ring = R, od osy do středu trubky

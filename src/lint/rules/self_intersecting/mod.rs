@@ -1,6 +1,7 @@
 //! W320: a torus or a profile that runs through itself.
 
 mod crossing;
+mod mended;
 
 use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
 use crate::lint::Context;
@@ -54,7 +55,7 @@ fn profile(p: &Params, shape: &Shape, (a, b): (usize, usize), at: [f64; 2]) -> D
         Some(_) => ("end", p.span_of(2 * n - 1, 2)),
         None => ("piece", p.span_of(1 + 2 * s, 4)),
     };
-    Diagnostic::new(Code::W320, piece(a).1)
+    let finding = Diagnostic::new(Code::W320, piece(a).1)
         .with("type", Value::Term(shape.ty().title))
         .with("id", shape.id.to_string())
         .with("x", Value::Decimal(x))
@@ -65,7 +66,10 @@ fn profile(p: &Params, shape: &Shape, (a, b): (usize, usize), at: [f64; 2]) -> D
         .with("two", piece(b).0)
         .with("two-from", (b + 1).to_string())
         .with("two-to", (b + 2).to_string())
-        .label(piece(b).1, "other")
+        .label(piece(b).1, "other");
+    let fixes = mended::mended(p);
+    let case = if fixes.is_empty() { "" } else { "mended" };
+    fixes.into_iter().fold(finding.case(case), Diagnostic::fix)
 }
 
 impl Geometry {

@@ -4,9 +4,11 @@ mod phrases;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use phrases::{SIGN, has_hole, is_cut, is_hole, is_reverse, is_taken_from, is_without, operation};
+use phrases::{
+    SIGN, has_hole, is_cut, is_hole, is_reverse, is_taken_from, is_without, keeps_first, operation,
+};
 
-use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Value};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit, Fix, Span, Value};
 use crate::lint::Context;
 use crate::lint::operations::{Proof, Proven};
 use crate::scene::record::Params;
@@ -45,15 +47,40 @@ pub(super) fn contradicted(context: &Context) -> FxHashSet<NodeId> {
     said(context).into_iter().map(|(_, node, _)| node).collect()
 }
 
-/// The intersections that W340 reports, since comments describe a difference.
-pub(super) fn intersections(context: &Context) -> FxHashSet<NodeId> {
+/// The operations of a kind that W340 reports, since comments describe a difference, or one of the other operands.
+pub(super) fn reported(context: &Context, own: RecordKind) -> FxHashSet<NodeId> {
     let said = said(context).into_iter();
-    said.filter(|(p, _, meant)| {
-        let [own, difference] = [RecordKind::Intersection, RecordKind::Difference];
-        p.ty.kind == own && meant.ty.kind == difference
-    })
-    .map(|(_, node, _)| node)
-    .collect()
+    said.filter(|(p, _, meant)| p.ty.kind == own && meant.ty.kind == RecordKind::Difference)
+        .map(|(_, node, _)| node)
+        .collect()
+}
+
+/// Whether the comment on the difference at a place says that its first operand is the one that remains.
+pub(crate) fn is_in_order(context: &Context, span: Span) -> bool {
+    let scene = context.scene;
+    // Nodes are in the order of the file.
+    let at = scene
+        .origins
+        .binary_search_by_key(&span.start, |o| o.span.start);
+    let Some((&Node::Difference(a, b), p)) = at
+        .ok()
+        .and_then(|at| Some((&scene.nodes[at], context.params(scene.origins[at].span)?)))
+    else {
+        return false;
+    };
+    let ids = [p.integer(0), p.integer(1)];
+    let mut comments: FxHashMap<u32, Vec<Vec<String>>> = FxHashMap::default();
+    for record in context.records() {
+        if ids.contains(&i64::from(record.id)) {
+            let own = context.record_params(record);
+            let all = comments.entry(record.id).or_default();
+            all.extend(own.own_comments().map(split));
+            all.truncate(MAX_COMMENTS);
+        }
+    }
+    let [one, two] = [(ids[0], a), (ids[1], b)].map(|(id, n)| operand(context, &comments, id, n));
+    p.comments()
+        .any(|said| keeps_first(&split_all(said, ids), &one, &two))
 }
 
 /// What comments say of an operation: the case of the finding, and the type of the operation that is meant.

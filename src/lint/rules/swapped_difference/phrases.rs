@@ -139,6 +139,24 @@ pub(super) fn is_reverse(said: &[String], one: &Operand, two: &Operand) -> bool 
         || is_taken_from(said, two, one) && !is_taken_from(said, one, two)
 }
 
+/// Whether a comment on a difference says that its first operand is the one that remains: `cube without pips`, `cube with
+/// a hole`. The second one need not be named.
+pub(super) fn keeps_first(said: &[String], one: &Operand, two: &Operand) -> bool {
+    let is_hole = |w: &String| is_hole(w) || begins(w, &HOLLOW) || begins(w, &BORE);
+    let is_first = |w: &String| one.is_called(w) && !two.is_called(w);
+    let says = |at: usize| {
+        let word = said[at].as_str();
+        let (is_without, is_with) = (WITHOUT.contains(&word), WITH.contains(&word));
+        if !is_without && !is_with {
+            return false;
+        }
+        let behind = &said[at + 1..said.len().min(at + 2 + MAX_WORDS_BETWEEN)];
+        named_before(said, at, one, two).is_some()
+            && (is_without && !behind.iter().any(is_first) || is_with && behind.iter().any(is_hole))
+    };
+    (1..said.len()).any(says) || is_taken_from(said, one, two)
+}
+
 /// Whether a comment says that the operand `whole` is without the operand `taken`.
 pub(super) fn is_without(said: &[String], whole: &Operand, taken: &Operand) -> bool {
     (1..said.len())

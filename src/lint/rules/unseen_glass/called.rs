@@ -1,8 +1,9 @@
-//! Glass without an index that a comment calls glass, water or diamond, in a scene without any index.
+//! Glass without an index that a comment calls glass, water or diamond. In a scene with an index, only glass that
+//! scatters some light, since the others are compared with the object that has the index.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::{Test, finding, is_clear, lets_through, members};
+use super::{Test, finding, is_clear, is_glass, lets_through, members};
 use crate::diagnostics::Diagnostic;
 use crate::lint::Context;
 use crate::lint::parts::Parts;
@@ -34,7 +35,7 @@ const SUBSTANCES: [Substance; 3] = [
     },
 ];
 
-/// The findings, one for each substance, if no record of the scene gives an index.
+/// The findings, one for each substance.
 pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Diagnostic> {
     let has_index = |kind: RecordKind| kind == RecordKind::RefractiveIndex;
     let has_comment = || {
@@ -44,11 +45,14 @@ pub(super) fn called(context: &Context, root: NodeId, kinds: &[Parts]) -> Vec<Di
             .iter()
             .any(|t| t.kind().is_comment())
     };
-    if context.records().any(|r| has_index(r.kind)) || !has_comment() {
+    if !has_comment() {
         return Vec::new();
     }
     let scene = context.scene;
-    let is_like: Test = |o| lets_through(o) && !is_clear(o);
+    let is_like: Test = match context.records().any(|r| has_index(r.kind)) {
+        true => |o| lets_through(o) && !is_glass(o),
+        false => |o| lets_through(o) && !is_clear(o),
+    };
     let Some(all) = members(context, root, is_like) else {
         return Vec::new();
     };

@@ -16,6 +16,11 @@ W331-union = rozdíl { $id } odečítá { $tool }, ale barvy odečítaného nejs
     .label = vidět je jen to, od čeho se odečítá
     .help = mají-li to být díry, dejte barvu tomu, od čeho se odečítá: řez má jeho barvu
     .fix = pro sjednocení napsat { $number }
+W331-swapped = rozdíl { $id } odečítá { $tool }, ale barvy odečítaného nejsou nikde vidět: nejsou operandy prohozené?
+    .label = { W331-union.label }
+    .help = první je to, co zůstane
+    .fix-swap = jsou-li prohozené, napsat { $number }
+    .fix = { W331-union.fix }
 W331-dark = { $type } není nikde vidět: nic, co ji má, nemá difuzní odraz (kd = 0)
     .label = textura je barva difuzního odrazu
     .help = dejte tomu, co ji má, optickou vlastnost s kd > 0, nebo texturu odstraňte

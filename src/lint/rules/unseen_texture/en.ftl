@@ -16,6 +16,11 @@ W331-union = the difference { $id } takes away { $tool }, whose colours no pictu
     .label = only what is cut can be seen
     .help = for holes, give the colours to what is cut: a cut has that colour
     .fix = for a union, write { $number }
+W331-swapped = the difference { $id } takes away { $tool }, whose colours no picture shows: are its operands swapped?
+    .label = { W331-union.label }
+    .help = name first what remains
+    .fix-swap = if they are swapped, write { $number }
+    .fix = { W331-union.fix }
 W331-dark = no picture shows this { $type }: nothing that has it reflects diffusely (kd = 0)
     .label = a texture is the colour of the diffuse part
     .help = give what has it an optical property with kd > 0, or remove the texture

@@ -16,6 +16,25 @@ pub fn placed(scene: &Scene, bounds: &[NodeBounds], root: NodeId, part: NodeId) 
     Some(*own.matrix())
 }
 
+/// The box of the first part of the outermost union that is the one asked for.
+pub fn box_of(
+    scene: &Scene,
+    bounds: &[NodeBounds],
+    root: NodeId,
+    is_it: impl Fn(NodeId) -> bool,
+) -> Option<Aabb> {
+    let parts = members(scene, bounds, root);
+    let own = parts.iter().find(|m| is_it(m.node))?;
+    own.bounds.is_bounded().then_some(own.bounds)
+}
+
+/// The boxes of the bounded parts of the outermost union.
+pub fn boxes(scene: &Scene, bounds: &[NodeBounds], root: NodeId) -> Vec<Aabb> {
+    let parts = members(scene, bounds, root);
+    let boxes = parts.iter().map(|m| m.bounds).filter(Aabb::is_bounded);
+    boxes.collect()
+}
+
 /// A half-space or a plane with its placement, and the boxes of all bounded parts.
 pub struct Sides {
     /// The map from the coordinates of the scene into those of the half-space or the plane.

@@ -1,0 +1,79 @@
+//! Fixes of a profile that crosses itself: a lost decimal point, or pairs of a height and a radius.
+
+use super::crossing::first_crossing;
+use crate::diagnostics::{Applicability, Edit, Fix};
+use crate::scene::record::Params;
+use crate::solids::shapes::revolution::MAX_EXAMINED_POINTS;
+use crate::syntax::{quote, tenth, words};
+
+/// Beginnings of words for a height and for a radius, without accents.
+const HEIGHT: [&str; 2] = ["height", "vysk"];
+const RADIUS: [&str; 3] = ["radi", "polomer", "distance"];
+/// Least number that may have lost a point: a single digit would rather have lost a zero and a point.
+const MIN_WRITTEN: f64 = 10.0;
+/// Most guesses of a lost decimal point.
+const MAX_POINTS: usize = 2;
+
+pub(super) fn mended(p: &Params) -> Vec<Fix> {
+    let n = p.count;
+    // The record begins with the number of points.
+    if n > MAX_EXAMINED_POINTS || p.len() < 1 + 2 * n {
+        return Vec::new();
+    }
+    let profile: Vec<[f64; 2]> = (0..n)
+        .map(|i| [p.number(1 + 2 * i), p.number(2 + 2 * i)])
+        .collect();
+    let is_right = |profile: &[[f64; 2]]| first_crossing(profile).is_none();
+    let turned: Vec<[f64; 2]> = profile.iter().map(|&[x, y]| [y, x]).collect();
+    let is_possible = turned.iter().all(|&[x, _]| x >= 0.0);
+    let is_said = || p.own_comments().any(is_height_first);
+    let mut fixes = Vec::new();
+    if is_possible && (is_right(&turned) || is_said()) {
+        fixes.push(pairs_swapped(p, n));
+    }
+    let point = |at: usize| {
+        let (point, axis) = ((at - 1) / 2, (at - 1) % 2);
+        let text = tenth(p.text_of(at)).filter(|_| p.number(at).abs() >= MIN_WRITTEN)?;
+        let mut then = profile.clone();
+        then[point][axis] /= 10.0;
+        is_right(&then).then(|| {
+            let span = p.span_of(at, 1);
+            let shown = quote(&text);
+            let fix = Fix::replace("fix-point", Applicability::Unsafe, span, text);
+            fix.with("number", shown)
+                .with("old", p.text_of(at).to_owned())
+        })
+    };
+    fixes.extend((1..=2 * n).filter_map(point).take(MAX_POINTS));
+    if fixes.len() > 1 {
+        (fixes.iter_mut()).for_each(|fix| fix.applicability = Applicability::Choice);
+    }
+    fixes
+}
+
+/// The fix that swaps the two numbers of each point.
+fn pairs_swapped(p: &Params, n: usize) -> Fix {
+    let swapped = |i: usize| {
+        let [x, y] = [1 + 2 * i, 2 + 2 * i];
+        [(x, y), (y, x)].map(|(to, from)| Edit {
+            span: p.span_of(to, 1),
+            text: p.text_of(from).to_owned(),
+        })
+    };
+    Fix {
+        title: "fix-pairs",
+        values: Vec::new(),
+        applicability: Applicability::Unsafe,
+        edits: (0..n).flat_map(swapped).collect(),
+    }
+}
+
+/// Whether a comment names a height, and a radius behind it.
+fn is_height_first(comment: &str) -> bool {
+    let all: Vec<String> = words::of_text(comment).collect();
+    let place = |names: &[&str]| {
+        let is_it = |w: &String| names.iter().any(|name| w.starts_with(name));
+        all.iter().position(is_it)
+    };
+    matches!((place(&HEIGHT), place(&RADIUS)), (Some(height), Some(radius)) if height < radius)
+}
