@@ -11,6 +11,8 @@ const HEIGHT: [&str; 2] = ["height", "vysk"];
 const RADIUS: [&str; 3] = ["radi", "polomer", "distance"];
 /// Least number that may have lost a point: a single digit would rather have lost a zero and a point.
 const MIN_WRITTEN: f64 = 10.0;
+/// Most numbers of a profile that are tried with a decimal point.
+const MAX_TRIED: usize = 8;
 /// Most guesses of a lost decimal point.
 const MAX_POINTS: usize = 2;
 
@@ -26,14 +28,18 @@ pub(super) fn mended(p: &Params) -> Vec<Fix> {
     let is_right = |profile: &[[f64; 2]]| first_crossing(profile).is_none();
     let turned: Vec<[f64; 2]> = profile.iter().map(|&[x, y]| [y, x]).collect();
     let is_possible = turned.iter().all(|&[x, _]| x >= 0.0);
-    let is_said = || p.own_comments().any(is_height_first);
+    let is_said = p.own_comments().any(is_height_first);
     let mut fixes = Vec::new();
-    if is_possible && (is_right(&turned) || is_said()) {
-        fixes.push(pairs_swapped(p, n));
+    if is_possible && (is_said || is_right(&turned)) {
+        let mut fix = pairs_swapped(p, n);
+        if !is_said {
+            fix.applicability = Applicability::Choice;
+        }
+        fixes.push(fix);
     }
     let point = |at: usize| {
         let (point, axis) = ((at - 1) / 2, (at - 1) % 2);
-        let text = tenth(p.text_of(at)).filter(|_| p.number(at).abs() >= MIN_WRITTEN)?;
+        let text = tenth(p.text_of(at))?;
         let mut then = profile.clone();
         then[point][axis] /= 10.0;
         is_right(&then).then(|| {
@@ -44,7 +50,9 @@ pub(super) fn mended(p: &Params) -> Vec<Fix> {
                 .with("old", p.text_of(at).to_owned())
         })
     };
-    fixes.extend((1..=2 * n).filter_map(point).take(MAX_POINTS));
+    let is_tried = |&at: &usize| p.number(at).abs() >= MIN_WRITTEN;
+    let tried = (1..=2 * n).filter(is_tried).take(MAX_TRIED);
+    fixes.extend(tried.filter_map(point).take(MAX_POINTS));
     if fixes.len() > 1 {
         (fixes.iter_mut()).for_each(|fix| fix.applicability = Applicability::Choice);
     }
