@@ -27,9 +27,8 @@ pub struct Block {
     pub extent: f64,
     /// A box around all its leaves, if the block is in a tree; otherwise everything.
     pub bounds: Aabb,
-    /// Each of its leaves by itself, in all four lanes, to be tested for four rays at once. Empty for operands of an
-    /// intersection, for triangles and for leaves without lanes.
-    pub apart: Box<[Shapes]>,
+    /// Each of its convex solids of second degree by itself, in all four lanes. Empty for operands of an intersection.
+    pub apart: Box<[Quadrics]>,
     /// Whether light gets no farther where it meets some of its leaves: see [`Leaf::is_dark`].
     pub is_dark: bool,
     /// For a leaf without lanes, the test which of four rays miss it, if there is such a test.
@@ -133,10 +132,17 @@ impl Block {
         probe: &Probe<Lanes>,
         [from, to]: [Lanes; 2],
     ) -> Chords {
-        match (&self.shapes, self.apart.get(i)) {
-            (Shapes::Triangles(_), _) => Triangles::of_one(leaf).chords(probe, from, to),
-            (_, Some(shape)) => shape.chords(probe, from, to),
-            (_, None) => Chords::NONE,
+        match leaf.kind {
+            Kind::Sphere => Spheres::of_one(leaf).chords(probe, from, to),
+            Kind::Cuboid => Cuboids::of_one(leaf).chords(probe, from, to),
+            Kind::Plane | Kind::HalfSpace => Planes::of_one(leaf).chords(probe, from, to),
+            Kind::Rectangle => Rectangles::of_one(leaf).chords(probe, from, to),
+            Kind::Triangle => Triangles::of_one(leaf).chords(probe, from, to),
+            Kind::Quadric => match self.apart.get(i) {
+                Some(quadric) => quadric.chords(probe, from, to),
+                None => Chords::NONE,
+            },
+            Kind::Other | Kind::Csg => Chords::NONE,
         }
     }
 

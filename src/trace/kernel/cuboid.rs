@@ -34,6 +34,16 @@ impl Cuboids {
         }
     }
 
+    /// One box in all four lanes.
+    #[inline(always)]
+    pub fn of_one(leaf: &Leaf) -> Cuboids {
+        Cuboids {
+            min: leaf.first().map(Lanes::splat),
+            max: leaf.upper().map(Lanes::splat),
+            present: ALL,
+        }
+    }
+
     /// The chords in the boxes that lines may meet after t = `from` and before t = `to`.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {

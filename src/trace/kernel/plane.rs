@@ -2,7 +2,7 @@
 //! as in [`shapes::plane`](crate::trace::shapes).
 
 use super::lanes::{
-    LANES, Lanes, Number, V3, either, gathered, is_at_most, is_greater, is_less, mask,
+    ALL, LANES, Lanes, Number, V3, either, gathered, is_at_most, is_greater, is_less, mask,
 };
 use super::leaf::Leaf;
 use super::probe::{Chords, Probe};
@@ -38,6 +38,18 @@ impl Planes {
             d: column(3),
             solid: solid.sum(),
             present: (1 << planes.len()) - 1,
+        }
+    }
+
+    /// One plane or half-space in all four lanes.
+    #[inline(always)]
+    pub fn of_one(leaf: &Leaf) -> Planes {
+        let [a, b, c, d, ..] = leaf.numbers;
+        Planes {
+            normal: [a, b, c].map(Lanes::splat),
+            d: Lanes::splat(d),
+            solid: if leaf.is_solid { ALL } else { 0 },
+            present: ALL,
         }
     }
 

@@ -32,6 +32,17 @@ impl Rectangles {
         }
     }
 
+    /// One rectangle in all four lanes.
+    #[inline(always)]
+    pub fn of_one(leaf: &Leaf) -> Rectangles {
+        let [a, b, x, y, ..] = leaf.numbers;
+        Rectangles {
+            min: [a, b].map(Lanes::splat),
+            max: [x, y].map(Lanes::splat),
+            present: ALL,
+        }
+    }
+
     /// The crossings with the rectangles that lines may meet after t = `from` and before t = `to`; near and far ends
     /// are equal.
     #[inline(always)]

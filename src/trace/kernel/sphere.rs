@@ -38,6 +38,17 @@ impl Spheres {
         }
     }
 
+    /// One sphere in all four lanes.
+    #[inline(always)]
+    pub fn of_one(leaf: &Leaf) -> Spheres {
+        let [x, y, z, radius, ..] = leaf.numbers;
+        Spheres {
+            centre: [x, y, z].map(Lanes::splat),
+            square: Lanes::splat(radius * radius),
+            radius: Lanes::splat(radius),
+        }
+    }
+
     /// The chords in the spheres that lines may meet after t = `from` and before t = `to`.
     #[inline(always)]
     pub fn chords<N: Number>(&self, probe: &Probe<N>, from: Lanes, to: Lanes) -> Chords {

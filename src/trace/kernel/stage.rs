@@ -1,6 +1,6 @@
 //! A scene as the kernel sees it: shapes in blocks, blocks in a tree.
 
-use super::block::{Block, Shapes, in_blocks, in_loose_blocks, shapes};
+use super::block::{Block, Shapes, in_blocks, in_loose_blocks};
 use super::chain::Chains;
 use super::csg::Csg;
 use super::cull::Cull;
@@ -9,6 +9,7 @@ use super::lanes::LANES;
 use super::leaf::{Kind, Leaf};
 use super::lone::find_lone;
 use super::probe::Probe;
+use super::quadric::Quadrics;
 use crate::geometry::aabb::Aabb;
 use crate::geometry::affine::Placement;
 use crate::geometry::bvh::Bvh;
@@ -75,14 +76,12 @@ impl Stage<'_> {
             Cull::new(graph, &chains[leaf.chain as usize], &bounds, outline)
         };
         for block in &mut blocks {
-            match block.shapes {
-                Shapes::Single => block.cull = cull(block.leaves[0]).map(Box::new),
-                Shapes::Triangles(_) => {}
-                _ => {
-                    let own = block.each_leaf().map(|(_, leaf)| &leaves[leaf as usize]);
-                    block.apart = own.map(|leaf| shapes(&[leaf; LANES])).collect();
-                }
+            if let Shapes::Single = block.shapes {
+                block.cull = cull(block.leaves[0]).map(Box::new);
             }
+            let own = block.each_leaf().map(|(_, leaf)| &leaves[leaf as usize]);
+            let quadrics = own.filter_map(Leaf::quadric);
+            block.apart = quadrics.map(|own| Quadrics::new(&[own; LANES])).collect();
         }
         let csgs = operands
             .into_iter()
