@@ -367,6 +367,60 @@ pub fn names(ty: &RecordType) -> Vec<String> {
     all
 }
 
+/// Endings of the forms of nouns, without accents.
+const NOUN_ENDINGS: [&str; 22] = [
+    "", "s", "es", "a", "e", "i", "o", "u", "y", "ou", "em", "im", "um", "am", "mi", "emi", "ami",
+    "ech", "ich", "ach", "ovi", "ovy",
+];
+/// The fewest letters that the forms of a noun have in common.
+const STEM_LEAST: usize = 3;
+/// Vowels without accents.
+const VOWELS: [char; 6] = ['a', 'e', 'i', 'o', 'u', 'y'];
+/// Short words that name nothing, without accents.
+const PARTICLES: [&str; 34] = [
+    "the", "and", "for", "not", "its", "our", "one", "two", "has", "was", "are", "off", "out",
+    "bez", "pro", "pod", "nad", "pred", "pri", "ten", "tato", "toto", "tento", "jen", "tam", "ani",
+    "ale", "pak", "dva", "dve", "tri", "jeho", "mezi", "with",
+];
+
+/// Whether two words without accents are forms of one noun: `okno` and `okna`, `dum` and `domu`, `zed` and `zdi`.
+pub fn are_forms(a: &str, b: &str) -> bool {
+    let is_named = |word: &str| word.chars().count() >= STEM_LEAST && !PARTICLES.contains(&word);
+    a.chars().next() == b.chars().next()
+        && is_named(a)
+        && is_named(b)
+        && (have_one_stem(a, b) || changes_stem(a, b) || changes_stem(b, a))
+}
+
+fn have_one_stem(a: &str, b: &str) -> bool {
+    let stems = |word| {
+        let stripped = move |ending: &&str| str::strip_suffix(word, ending);
+        NOUN_ENDINGS.iter().filter_map(stripped)
+    };
+    stems(a)
+        .filter(|stem| stem.chars().count() >= STEM_LEAST)
+        .any(|stem| stems(b).any(|other| other == stem))
+}
+
+/// Whether the last vowel of a noun without an ending changes in the other form: `ů` is `o` there, and `e` is left out.
+fn changes_stem(bare: &str, other: &str) -> bool {
+    let mut letters = bare.char_indices().rev();
+    let (Some((end, last)), Some((at, vowel))) = (letters.next(), letters.next()) else {
+        return false;
+    };
+    let changed = match vowel {
+        _ if VOWELS.contains(&last) => return false,
+        'u' => "o",
+        'e' => "",
+        _ => return false,
+    };
+    let behind = other.strip_prefix(&bare[..at]);
+    let ending = behind
+        .and_then(|rest| rest.strip_prefix(changed))
+        .and_then(|rest| rest.strip_prefix(&bare[end..]));
+    ending.is_some_and(|ending| !ending.is_empty() && NOUN_ENDINGS.contains(&ending))
+}
+
 /// The endings of Czech adjectives.
 const ENDINGS: [char; 4] = ['ý', 'á', 'é', 'í'];
 
@@ -460,6 +514,41 @@ mod tests {
         let codes = [12, 12, 11, 11, 1, 14, 12, 11];
         assert_eq!(forms.map(code), codes.map(Some));
         assert_eq!(["union", "barva", "kos"].map(code), [None; 3]);
+    }
+
+    #[test]
+    fn forms_of_one_noun() {
+        let forms = |a: &str, b: &str| are_forms(&plain(a), &plain(b));
+        for (a, b) in [
+            ("dům", "dům"),
+            ("dům", "domu"),
+            ("domem", "dům"),
+            ("domě", "domu"),
+            ("stůl", "stolu"),
+            ("nůž", "nože"),
+            ("kůň", "koně"),
+            ("zeď", "zdi"),
+            ("okno", "okna"),
+            ("oken", "okno"),
+            ("dveře", "dveří"),
+            ("dveřmi", "dveře"),
+            ("domek", "domku"),
+            ("lid", "lids"),
+        ] {
+            assert!(forms(a, b), "{a} {b}");
+        }
+        for (a, b) in [
+            ("díl", "důl"),
+            ("důl", "dílu"),
+            ("dům", "dno"),
+            ("dům", "důl"),
+            ("koš", "kůň"),
+            ("the", "the"),
+            ("a", "a"),
+            ("zeď", "zub"),
+        ] {
+            assert!(!forms(a, b), "{a} {b}");
+        }
     }
 
     #[test]

@@ -115,6 +115,14 @@ const REVERSED: &[[&str; 3]] = &[
     ["", "", " # kvádr s dírou #"],
     ["", "", " # kvádr se zářezem #"],
     [" # podstavec #", " # jamka #", " # podstavec bez jamky #"],
+    [" # dům #", " # dveře #", " # dům - dveře #"],
+    [" # dům #", " # okno #", " # rozdíl domu a okna #"],
+    [" # zeď #", " # okno #", " # od zdi odečteme okno #"],
+    [
+        " # the lid #",
+        " # the pot #",
+        " # the lid without the pot #",
+    ],
 ];
 
 /// Comments of a difference that say the same in other words.

@@ -318,9 +318,9 @@ fn begins(word: &str, beginnings: &[&str]) -> bool {
     beginnings.iter().any(|b| word.starts_with(b))
 }
 
-/// Whether two words are equal but for their endings of two letters at most.
+/// Whether two words are equal but for their endings of two letters at most, or are forms of one noun.
 fn is_one_word(a: &str, b: &str) -> bool {
     let same = a.chars().zip(b.chars()).take_while(|(x, y)| x == y).count();
     let longer = a.chars().count().max(b.chars().count());
-    same >= STEM && same + 2 >= longer
+    same >= STEM && same + 2 >= longer || words::are_forms(a, b)
 }
