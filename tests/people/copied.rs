@@ -237,3 +237,30 @@ fn changes_among_the_records_of_another_object() {
         assert!(!codes.contains(&Code::N610), "{silent}");
     }
 }
+
+/// Parts of light and an index of their own, which an assignment names as two properties, become one property.
+#[test]
+fn light_and_index_of_an_assignment_are_joined() {
+    let puddle = "2 4 0 1 0 0.2 # tráva #\n3 -701 0.2 0.5 0.1\n4 -701 0.1 0.3 0.1\n\
+                  2 -399 1 1 3 4\n5 10 1.5 0.1 0.8 # louže #\n";
+    let rest = "9 -101 5 2";
+    for (written, meant) in [
+        (
+            "6 -201 0.1 0.1 0.8 # voda #\n7 -203 1.33 1.33 1.33\n5 -299 6 7\n",
+            "6 -201 0.1 0.1 0.8 # voda #\n6 -203 1.33 1.33 1.33\n5 -299 0 6\n",
+        ),
+        (
+            "7 -203 1.33 1.33 1.33 # water #\n6 -202 0.1 0.1 0.1 0.1 0.1 0.1 0.8 0.8 0.8\n5 -299 7 6\n",
+            "6 -203 1.33 1.33 1.33 # water #\n6 -202 0.1 0.1 0.1 0.1 0.1 0.1 0.8 0.8 0.8\n5 -299 0 6\n",
+        ),
+    ] {
+        let text = scene(&[puddle, written, rest].concat());
+        let (_, made) = guessed(&text, Code::E103);
+        assert_eq!(made, [scene(&[puddle, meant, rest].concat())], "{text}");
+    }
+    // No colour of the checkerboard is proposed.
+    let written = "6 -201 0.1 0.1 0.8\n5 -299 6 6\n";
+    let text = scene(&[puddle, written, rest].concat());
+    let (_, made) = guessed(&text, Code::E103);
+    assert_eq!(made, [text.replace("-299 6 6", "-299 0 6")]);
+}

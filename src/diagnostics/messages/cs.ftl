@@ -153,6 +153,7 @@ fix-first-operand = místo { $id } napsat { $number }, první operand záznamu v
 fix-without-light = vynechat sjednocení { $other } a místo něj napsat { $number }
 fix-switch-off = obejít se bez { $id }: dát do komentáře i { $type } { $other } a místo { $other } napsat { $number }
 fix-again = odstranit ho: tentýž záznam je už o řádek výš
+fix-joined = napsat { $number } a indexu lomu { $id } dát ID { $other }, aby jedna vlastnost měla obojí
 fix-decimal-comma = je-li v { $text } desetinná čárka, napsat { $number }
 lack = zapsaná čísla jsou možná { $have }; pak chybí { $missing } ({ $parameter })
 lack-any = parametry jsou po řadě `{ $missing }`; nelze poznat, které chybí

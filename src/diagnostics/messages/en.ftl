@@ -141,6 +141,7 @@ fix-first-operand = write { $number } for { $id }: it is the first operand of th
 fix-without-light = leave out the union { $other }, and write { $number } in its place
 fix-switch-off = do without { $id }: put the { $type } { $other } into a comment, too, and write { $number } for { $other }
 fix-again = remove it: the same record stands above
+fix-joined = write { $number }, and give the refractive index { $id } the ID { $other }, so that one property has both
 fix-decimal-comma = if { $text } has a decimal comma, write { $number }
 lack = the numbers here may be { $have }, with { $missing } ({ $parameter }) left out
 lack-any = the parameters are, in order, `{ $missing }`; which of them are missing cannot be told

@@ -5,9 +5,11 @@ use rustc_hash::FxHashSet;
 
 use super::{Candidate, Habit, LineContext};
 use crate::analysis::repair::whole::records;
-use crate::diagnostics::{Applicability, Code, Diagnostic};
+use crate::diagnostics::{Applicability, Code, Diagnostic, Edit};
+use crate::scene::names;
 use crate::syntax::lexer::Token;
 use crate::syntax::table::{Family, Kind, RecordKind, RecordType};
+use crate::syntax::{Item, Record};
 
 /// The most objects that are proposed for an assignment that names none.
 const MAX_CHOICES: usize = 2;
@@ -53,6 +55,52 @@ impl LineContext<'_> {
         let is_new = self.text[span.range()] != text;
         let habit = if is_lost { Habit::Id } else { Habit::Swapped };
         is_new.then(|| Candidate::writing(habit, span, text))
+    }
+
+    /// Joins an optical property and a refractive index that an assignment names as two: `5 -299 6 7` becomes `5 -299 0 6`,
+    /// and the record of the index gets the ID 6. Nothing else names the index.
+    pub(super) fn as_one_property(&self, finding: &Diagnostic) -> Option<Candidate> {
+        let is_one = self
+            .ty()
+            .is_some_and(|ty| ty.kind == RecordKind::Assignment);
+        let (&[one, two], true) = (self.params(), is_one && finding.code == Code::E103) else {
+            return None;
+        };
+        let document = &self.analysis.document;
+        let records = document.items.iter().filter_map(Item::record);
+        let above = |id: i64| -> Vec<&Record> {
+            let is_own = |r: &&Record| i64::from(r.id) == id;
+            records.clone().filter(is_own).take(3).collect()
+        };
+        let only = |t: Token| match above(t.integer(self.text)?)[..] {
+            [record] => Some(record),
+            _ => None,
+        };
+        let [first, second] = [only(one)?, only(two)?];
+        let is_light = |r: &Record| matches!(r.kind, RecordKind::Optics | RecordKind::OpticsRgb);
+        let is_index = |r: &Record| r.kind == RecordKind::RefractiveIndex;
+        let (light, index, kept) = match () {
+            () if is_light(first) && is_index(second) => (first, second, one),
+            () if is_index(first) && is_light(second) => (second, first, two),
+            () => return None,
+        };
+        let naming = records.filter(|r| names::references(document, r).any(|id| id == index.id));
+        if naming.count() > 1 {
+            return None;
+        }
+        let kept = kept.text(self.text).to_owned();
+        let mut joined = self.write(Habit::Swapped, &[(one, "0".into()), (two, kept)])?;
+        joined.fix.title = "fix-joined";
+        joined.fix.values.extend([
+            ("id", index.id.to_string().into()),
+            ("other", light.id.to_string().into()),
+        ]);
+        joined.fix.edits.push(Edit {
+            span: document.id_token(index).span(),
+            text: light.id.to_string(),
+        });
+        joined.fix.edits.sort_by_key(|edit| edit.span.start);
+        Some(joined)
     }
 
     /// Guesses at the object of an assignment that has lost its ID, if its references are right: shapes above that have
@@ -104,5 +152,18 @@ impl LineContext<'_> {
             Some(candidate)
         };
         shapes.iter().filter_map(written).collect()
+    }
+
+    /// The IDs that records name, for a finding about a reference of an assignment that is of a wrong kind, and
+    /// may be 0 instead.
+    pub(super) fn of_others(&self, finding: &Diagnostic) -> FxHashSet<u32> {
+        let is_one = self
+            .ty()
+            .is_some_and(|ty| ty.kind == RecordKind::Assignment);
+        let is_reference = self.params().iter().any(|t| t.span() == finding.span);
+        match is_one && is_reference && finding.code == Code::E103 {
+            true => self.named_ids(),
+            false => FxHashSet::default(),
+        }
     }
 }

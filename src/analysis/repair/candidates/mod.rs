@@ -340,6 +340,7 @@ impl<'a> LineContext<'a> {
                     None => out.extend(self.assigned_to(finding)),
                 },
             }
+            out.extend(self.as_one_property(finding));
             out.extend(self.negative_id(finding, undefined));
             self.types(finding, &mut out);
             self.arranged(&mut out);

@@ -118,6 +118,8 @@ impl LineContext<'_> {
             true => self.named_ids(),
             false => FxHashSet::default(),
         };
+        // Where nothing may stand, a property that another record names is not meant instead of a wrong kind.
+        let of_others = self.of_others(finding);
         for (t, kinds) in all.iter().filter(|(t, _)| finding.span == t.span()) {
             let written = id(t);
             let text = written.to_string();
@@ -131,7 +133,7 @@ impl LineContext<'_> {
             let mut others: Vec<(bool, bool, usize, u64, u32)> = (self.entities(kinds))
                 .filter(|e| i64::from(e.id) != written && Some(e.id) != self.id())
                 .filter(|e| !is_of_two || !used.contains(&i64::from(e.id)))
-                .filter(|e| !held.contains(&e.id))
+                .filter(|e| !held.contains(&e.id) && !of_others.contains(&e.id))
                 .map(|e| {
                     let new = e.id.to_string();
                     (
@@ -145,6 +147,9 @@ impl LineContext<'_> {
                 })
                 .collect();
             others.sort_unstable();
+            if others.is_empty() && several && !of_others.is_empty() {
+                out.extend(self.write(Habit::Reference, &[(*t, String::from("0"))]));
+            }
             out.extend(
                 (others.iter().take(MAX_CANDIDATES))
                     .filter_map(|o| self.write(Habit::Reference, &[(*t, o.4.to_string())])),
@@ -152,14 +157,18 @@ impl LineContext<'_> {
         }
     }
 
-    /// Whether a fix writes an operand that another operand of the operation already has as a part.
+    /// Whether a fix writes an operand that another operand of the operation already has as a part, or, in an
+    /// assignment, an ID that another record names.
     pub(in crate::analysis::repair) fn is_held(&self, finding: &Diagnostic, fix: &Fix) -> bool {
         let [edit] = fix.edits.as_slice() else {
             return false;
         };
         let new = edit.text.parse();
         edit.span == finding.span
-            && new.is_ok_and(|id| self.held(finding, &self.referring()).contains(&id))
+            && new.is_ok_and(|id| {
+                self.held(finding, &self.referring()).contains(&id)
+                    || self.of_others(finding).contains(&id)
+            })
     }
 
     /// The IDs of all parts that the other operands of an operation are made of. None of them is meant as an operand.
