@@ -67,7 +67,7 @@ pub fn texts(seeds: Range<u64>) -> impl Iterator<Item = String> {
 }
 
 /// The scenes of the counted test.
-const SCENES: Range<u64> = 0..12;
+const SCENES: Range<u64> = 0..16;
 
 fn read(text: &str) -> Analysis {
     Analysis::new("scene.zpg", text.as_bytes().to_vec())

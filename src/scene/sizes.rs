@@ -130,10 +130,13 @@ pub(crate) fn by_comment(p: &Params, n: usize) -> Vec<Fix> {
 }
 
 /// The fixes for bounds whose distances are not the edges that a comment gives. The upper bounds must be those edges:
-/// written as `2 x 2 x 2`, or all equal where the comment speaks of a cube.
+/// written as `2 x 2 x 2`, as `size 2 2 2` or by their names, or all equal where the comment speaks of a cube.
 fn by_size(p: &Params, n: usize) -> Vec<Fix> {
     let edge = |i: usize| p.number(i + n) - p.number(i);
-    let said = p.comments().find_map(|text| edges(text, n));
+    let said = p.comments().find_map(|text| {
+        let named = || named_edges(text, n).or_else(|| listed_edges(text, n));
+        edges(text, n).or_else(named)
+    });
     let is_cube = n == 3 && p.is_called(&EQUAL);
     let all_equal = |x: &dyn Fn(usize) -> f64| (1..n).all(|i| are_equal(x(i), x(0)));
     let upper = |i: usize| p.number(i + n);
@@ -194,6 +197,26 @@ fn edges(text: &str, n: usize) -> Option<Vec<f64>> {
     all.flatten().find(|numbers| numbers.len() == n && n > 1)
 }
 
+/// The three edges in a text that names them width, height and depth, along x, y and z.
+fn named_edges(text: &str, n: usize) -> Option<Vec<f64>> {
+    let names = [&WIDTH[..], &HEIGHT, &DEPTH];
+    let edges = names.into_iter().map(|any| number_of(text, any));
+    edges
+        .collect::<Option<Vec<f64>>>()
+        .filter(|_| n == names.len())
+}
+
+/// The `n` edges in a text that lists them behind a word for a size.
+fn listed_edges(text: &str, n: usize) -> Option<Vec<f64>> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let at = words.iter().position(|word| words::has(word, &SIZE))?;
+    let listed = words.get(at + 1..=at + n)?.iter().map(|word| {
+        let mut all = numbers(word);
+        all.next().filter(|_| all.next().is_none())
+    });
+    listed.collect()
+}
+
 /// The fix where a comment speaks of a size, and of a centre or a corner. The numbers in the comment must be those of
 /// the record, and not the place and the size that the bounds have.
 fn by_name(p: &Params, n: usize) -> Option<Fix> {
@@ -209,7 +232,7 @@ fn by_name(p: &Params, n: usize) -> Option<Fix> {
         let is_symmetric = |i: usize| p.number(i) == -p.number(i + n);
         fix.applicability = Applicability::Choice;
         let is_label = p.comments().all(|text| words(text) <= MAX_LABEL_WORDS);
-        return (is_label && !(0..n).any(is_symmetric)).then_some(fix);
+        return (is_label && !(0..n).all(is_symmetric)).then_some(fix);
     }
     // A comment seldom gives zeros, since a centre at the origin goes without saying.
     let is_said = |x: f64| x == 0.0 || said.contains(&x);
@@ -237,6 +260,9 @@ const RADIUS: [&str; 3] = ["radius", "radii", "polomer"];
 const DIAMETER: [&str; 3] = ["diameter", "prumer", "across"];
 /// The same for a height.
 const HEIGHT: [&str; 3] = ["height", "vysk", "vysc"];
+/// The same for a width and a depth.
+const WIDTH: [&str; 2] = ["width", "sirk"];
+const DEPTH: [&str; 2] = ["depth", "hloubk"];
 
 /// For a sphere whose comment contradicts its numbers, the case of the finding's message and the fix. Case `radius`:
 /// the radius that the comment tells is written first and not last. Case `diameter`: the number written as radius is

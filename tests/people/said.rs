@@ -186,7 +186,37 @@ fn a_box_by_its_edges() {
             &["2 12 1 0 0 3 2 2 # krychle 2 x 2 x 2 s rohem v (1, 0, 0) #"],
         )],
     );
+    // The edges are listed behind a word for a size, or have names.
+    for said in [
+        "size 3 2 2",
+        "dům, rozměry 3 2 2",
+        "width 3, height 2, depth 2",
+        "dům: šířka 3, výška 2, hloubka 2",
+    ] {
+        let text = |numbers: &str| format!("2 12 {numbers} # {said} #");
+        let both = ["-2 0 -1 1 2 1", "-3.5 -1 -2 -0.5 1 0"].map(text);
+        let [corner, centre] = both.each_ref().map(String::as_str);
+        // A size alone rather stands beside a centre.
+        let meant = match said.contains("3,") {
+            true => [corner, centre],
+            false => [centre, corner],
+        };
+        expect(Code::W341, &[(&text("-2 0 -1 3 2 2"), &meant)]);
+    }
+    // Symmetric distances do not matter where the comment speaks of a centre and a size.
+    for said in ["dům: střed a velikost", "house: centre and size"] {
+        let text = |numbers: &str| format!("2 12 {numbers} # {said} #");
+        for (written, meant) in [
+            ("-2.75 1 -2 2.5 2 2", "-4 0 -3 -1.5 2 -1"),
+            ("-2 1 -2 2 2 2", "-3 0 -3 -1 2 -1"),
+        ] {
+            expect(Code::W341, &[(&text(written), &[&text(meant)])]);
+        }
+        assert!(!has(&scene(&text("-2 -1 -2 2 1 2")), Code::W341));
+    }
     for records in [
+        "2 12 -2 0 -1 1 2 1 # size 3 2 2 #",
+        "2 12 -2 0 -1 1 2 1 # width 3, height 2, depth 2 #",
         "2 12 0 0 0 2 2 2 # cube 2 x 2 x 2 #",
         "2 12 -1 0 -1 1 1 1 # cube #",
         "2 12 -1 0 -1 1 2 1 # cube with edge 2 #",
