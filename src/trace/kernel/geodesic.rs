@@ -336,11 +336,11 @@ mod tests {
                 let mut vector = || Vec3::new(number(), number(), number());
                 let far = [3.0, 40.0, 1.5][(i + lane) % 3];
                 let (from, mut to) = (vector().unit() * (far * size), vector() * (0.6 * size));
-                if (i + lane) % 13 == 0 {
+                if (i + lane).is_multiple_of(13) {
                     to = sphere.icosahedron()[i % 12] * (0.7 * size);
                 }
                 let mut way = to - from;
-                if (i + lane) % 11 == 0 {
+                if (i + lane).is_multiple_of(11) {
                     way.0[lane % 3] = 0.0;
                 }
                 Line::new(from, way * (1.0 + number().abs()))

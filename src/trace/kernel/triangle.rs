@@ -110,7 +110,8 @@ impl Triangles {
     }
 }
 
-/// Bounds on the errors of the places `t` where lines meet a triangle with these numbers: see [`Kind::Triangle`].
+/// Bounds on the errors of the places `t` where lines meet a triangle with these numbers: see
+/// [`Kind::Triangle`](super::leaf::Kind::Triangle).
 #[inline(always)]
 pub fn rough<N: Number>(probe: &Probe<N>, numbers: &[f64; 8], extent: f64, t: N) -> N {
     let number = N::splat;

@@ -17,6 +17,7 @@ W320-mended = { W320 }
     .note = { W320.note }
     .fix-point = ztratilo-li { $old } desetinnou tečku, napsat { $number }
     .fix-pairs = stojí-li výška před poloměrem, prohodit čísla každého bodu
+    .help = { W320.help }
 W320-torus = torus { $id } prochází sám sebou: trubka (`r = { $tube }`) je širší než prstenec (`R = { $ring }`)
     .label = r, poloměr trubky
     .ring = R, od osy do středu trubky

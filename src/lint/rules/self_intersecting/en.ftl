@@ -17,6 +17,7 @@ W320-mended = { W320 }
     .note = { W320.note }
     .fix-point = if { $old } has lost its decimal point, write { $number }
     .fix-pairs = if the height stands before the radius, swap the numbers of each point
+    .help = { W320.help }
 W320-torus = the torus { $id } runs through itself: its tube (r = { $tube }) is wider than its ring (R = { $ring })
     .label = r, the radius of the tube
     .ring = R, from the axis to the middle of the tube
