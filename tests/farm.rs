@@ -129,11 +129,21 @@ fn make_that_was_killed_goes_on() {
     assert!(killed.unwrap().success() && !child.wait().unwrap().success());
     assert!(!job.join("out/a_left.png").exists());
     let modified = |path: &PathBuf| fs::metadata(path).unwrap().modified().unwrap();
+    // A task writes the left and the right picture of a band one after the other; it may have been killed between them.
+    let is_pair = |path: &PathBuf| {
+        let name = path.file_name().unwrap().to_string_lossy();
+        let other = match name.contains("left") {
+            true => name.replace("left", "right"),
+            false => name.replace("right", "left"),
+        };
+        path.with_file_name(other).exists()
+    };
     let before: Vec<_> = parts()
         .into_iter()
+        .filter(is_pair)
         .map(|path| (modified(&path), path))
         .collect();
-    assert!((3..24).contains(&before.len()), "{}", before.len());
+    assert!((2..24).contains(&before.len()), "{}", before.len());
     assert!(make(&job).status().unwrap().success());
     are_those_of(&job.join("out"), &dir.path().join("whole"));
     // What was drawn is not drawn again.

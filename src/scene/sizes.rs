@@ -102,7 +102,7 @@ fn reading(p: &Params, first: usize, n: usize, kind: Meant) -> Fix {
 }
 
 /// The sum of two numbers as text, rounded to the nine decimals that people may write.
-fn sum(a: f64, b: f64) -> String {
+pub(crate) fn sum(a: f64, b: f64) -> String {
     /// Sums are rounded to multiples of its inverse.
     const ROUNDED: f64 = 1e9;
     let rounded = ((a + b) * ROUNDED).round() / ROUNDED;

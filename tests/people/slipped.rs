@@ -161,6 +161,41 @@ fn a_lamp_above_that_is_below_everything() {
     assert!(of_code(&between, Code::W344).is_empty());
 }
 
+/// A cone's tip is at the origin, and its base above it where the height is positive.
+#[test]
+fn a_cone_whose_tip_is_up() {
+    let house = |cone: &str, moved: &str| {
+        scene(
+            &format!("2 12 -1 0 -1 1 2 1\n5 {cone}\n{moved}6 -101 2 5"),
+            6,
+        )
+    };
+    for comment in [
+        "roof, tip up",
+        "apex upwards",
+        "střecha, špička nahoře",
+        "kužel špičkou nahoru",
+    ] {
+        let cone = |height: &str| format!("16 {height} 1.5 # {comment} #");
+        for (written, meant) in [("5 -1 0 2 0\n", "5 -1 0 3 0\n"), ("", "")] {
+            let text = house(&cone("1"), written);
+            let (finding, made) = guessed(&text, Code::W344);
+            assert_eq!(made, [house(&cone("-1"), meant)]);
+            assert!(of_code(&made[0], Code::W344).is_empty());
+            assert_eq!(fixed(&text), made[0]);
+            assert!(finding.wording(Language::Czech).message.contains("špičku"));
+        }
+    }
+    for (cone, moved) in [
+        ("16 1 1.5 # roof #", "5 -1 0 2 0\n"),
+        ("16 -1 1.5 # roof, tip up #", "5 -1 0 3 0\n"),
+        ("16 1 1.5 # tip down #", ""),
+        ("16 1 1.5 # tip up #", "5 -2 180 1\n5 -1 0 3 0\n"),
+    ] {
+        assert!(of_code(&house(cone, moved), Code::W344).is_empty());
+    }
+}
+
 /// A mirror might show an object beside the picture, but hardly one that is so far away.
 #[test]
 fn far_beside_a_picture_with_a_mirror() {

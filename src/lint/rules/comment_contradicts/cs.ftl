@@ -17,3 +17,7 @@ W344-target = komentář mluví o bodu, na který se kamera { $id } dívá, ale 
 W344-above = podle komentáře je světlo { $id } nad něčím, ale leží pod všemi omezenými objekty
     .label = y je výška
     .fix = { W344.fix }
+W344-tip = komentář říká, že kužel { $id } má špičku nahoře, ale ta leží pod podstavou
+    .label = špička je v počátku a podstava má y = { $height }
+    .fix = napsat { $number }
+    .fix-moved = napsat { $number } a posunout kužel o { $place }, aby podstava ležela tam, kde byla špička

@@ -17,3 +17,7 @@ W344-target = the comment names the point that the camera { $id } looks at, but 
 W344-above = the comment says that the light { $id } is above something, but it is below all bounded objects
     .label = y is the height
     .fix = { W344.fix }
+W344-tip = the comment says that the tip of the cone { $id } is up, but it is below the base
+    .label = the tip is at the origin, and the base at y = { $height }
+    .fix = write { $number }
+    .fix-moved = write { $number }, and move the cone by { $place }, so that its base comes to where the tip was

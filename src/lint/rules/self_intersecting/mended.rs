@@ -26,16 +26,10 @@ pub(super) fn mended(p: &Params) -> Vec<Fix> {
         .map(|i| [p.number(1 + 2 * i), p.number(2 + 2 * i)])
         .collect();
     let is_right = |profile: &[[f64; 2]]| first_crossing(profile).is_none();
-    let turned: Vec<[f64; 2]> = profile.iter().map(|&[x, y]| [y, x]).collect();
-    let is_possible = turned.iter().all(|&[x, _]| x >= 0.0);
-    let is_said = p.own_comments().any(is_height_first);
+    let is_possible = profile.iter().all(|&[_, y]| y >= 0.0);
     let mut fixes = Vec::new();
-    if is_possible && (is_said || is_right(&turned)) {
-        let mut fix = pairs_swapped(p, n);
-        if !is_said {
-            fix.applicability = Applicability::Choice;
-        }
-        fixes.push(fix);
+    if is_possible && p.own_comments().any(is_height_first) {
+        fixes.push(pairs_swapped(p, n));
     }
     let point = |at: usize| {
         let (point, axis) = ((at - 1) / 2, (at - 1) % 2);

@@ -22,7 +22,7 @@ const HOLLOW: [&str; 6] = ["hollow", "groove", "slot", "prohlub", "vyhloub", "dr
 /// Beginnings of words for a bore, without accents.
 const BORE: [&str; 2] = ["bore", "vrt"];
 /// Words, without accents, that say by themselves that the object is taken away.
-const TAKEN: [&str; 7] = [
+const TAKEN: [&str; 11] = [
     "subtracted",
     "removed",
     "odecte",
@@ -30,6 +30,10 @@ const TAKEN: [&str; 7] = [
     "odectena",
     "odecteny",
     "odectene",
+    "odectou",
+    "odecitana",
+    "odecitany",
+    "odecitane",
 ];
 /// Words that show, before a verb of taking away, that the object is what is taken: `what is cut away`.
 const DONE: [&str; 9] = [
@@ -68,8 +72,9 @@ const TAKING: [Taking; 2] = [
     },
     Taking {
         verbs: &[
-            "odect", "odecit", "odecet", "ubra", "uber", "ubir", "odebr", "odeber", "odebir",
-            "odstran", "vyriz", "vyrez", "vydlab", "vyvrt", "vyhloub", "vykroj", "odriz", "odrez",
+            "odect", "odecit", "odecet", "odecis", "ubra", "uber", "ubir", "odebr", "odeber",
+            "odebir", "odstran", "vyriz", "vyrez", "vydlab", "vyvrt", "vyhloub", "vykroj", "odriz",
+            "odrez",
         ],
         from: &["od", "z", "ze"],
         by: &[],
