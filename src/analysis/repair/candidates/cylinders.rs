@@ -65,9 +65,9 @@ impl LineContext<'_> {
         self.ty().is_some_and(is_cone) && self.params().len() == CONE
     }
 
-    /// Guesses at a cylinder about the y axis, as a surface of revolution: by two numbers, a radius and a height, in
-    /// the order that a comment gives first; or by the centres of its ends, if one is above the other, with one radius at the end or a radius
-    /// behind each.
+    /// Guesses at a cylinder about the y axis, as a surface of revolution: by two numbers, a radius and a height, in the
+    /// order that a comment gives first; or by the centres of its ends, if one is above the other, with one radius at the
+    /// end or a radius behind each.
     pub(super) fn cylinder(&self, word: Span, params: &[Token], out: &mut Vec<Candidate>) {
         let (Some(first), Some(last), Some(id)) = (params.first(), params.last(), self.id()) else {
             return;
