@@ -304,14 +304,19 @@ pub(crate) fn sphere_by_comment(p: &Params) -> Option<(&'static str, Fix)> {
     })
 }
 
-/// Whether a comment says of two numbers that the first is a height and the second a radius (`true`), or the other way
-/// round: by the numbers that it gives, or by the order of the two words. `None` unless it has both words.
-pub(crate) fn is_height_first(text: &str, numbers: [f64; 2]) -> Option<bool> {
+/// Whether a text names a height before a radius. `None` unless it has both words.
+pub(crate) fn names_height_first(text: &str) -> Option<bool> {
     let place = |any: &[&str]| {
         let mut words = text.split_whitespace();
         words.position(|word| words::has(word, any))
     };
-    let by_words = place(&HEIGHT)? < place(&RADIUS)?;
+    Some(place(&HEIGHT)? < place(&RADIUS)?)
+}
+
+/// Whether a comment says of two numbers that the first is a height and the second a radius (`true`), or the other way
+/// round: by the numbers that it gives, or by the order of the two words. `None` unless it has both words.
+pub(crate) fn is_height_first(text: &str, numbers: [f64; 2]) -> Option<bool> {
+    let by_words = names_height_first(text)?;
     let said = [&HEIGHT[..], &RADIUS].map(|any| number_of(text, any));
     let is_said = |order: [f64; 2]| said.iter().zip(order).any(|(x, y)| *x == Some(y));
     let [one, two] = numbers;

@@ -194,6 +194,9 @@ fn a_cone_whose_tip_is_up() {
     ] {
         assert!(of_code(&house(cone, moved), Code::W344).is_empty());
     }
+    // The whole house is turned over.
+    let turned = house("16 1 1.5 # tip up #", "").replace("\n9 -501", "\n6 -2 180 1\n9 -501");
+    assert!(turned.contains("6 -2") && of_code(&turned, Code::W344).is_empty());
 }
 
 /// A mirror might show an object beside the picture, but hardly one that is so far away.

@@ -108,6 +108,7 @@ const SIZED: &[RecordKind] = &[
 const SAID: &[RecordKind] = &[
     R::Shape(S::Plane),
     R::Shape(S::HalfSpace),
+    R::Shape(S::Cone),
     R::Rotation,
     R::PointLight,
     R::Colour,

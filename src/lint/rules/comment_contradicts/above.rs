@@ -7,7 +7,7 @@ use crate::geometry::Aabb;
 use crate::lint::Context;
 use crate::lint::spelling::opposite;
 use crate::scene::axes::words;
-use crate::syntax::table::{Family, Kind, RecordKind};
+use crate::syntax::table::{Family, RecordKind};
 use crate::syntax::{Record, quote};
 use crate::trace::plan::unseen::sides::boxes;
 
@@ -20,11 +20,7 @@ const OTHERS: [&str; 9] = [
 pub(super) fn check(context: &Context, out: &mut Vec<Diagnostic>) {
     let scene = context.scene;
     let Some(render) = scene.render else { return };
-    let is_lamp = |id: u32| scene.point_lights.iter().any(|light| light.id == id);
-    let lamps: FxHashSet<u32> = (scene.entities.iter())
-        .filter(|e| e.kind == Some(Kind::PointLight) && is_lamp(e.id))
-        .map(|e| e.id)
-        .collect();
+    let lamps: FxHashSet<u32> = scene.point_lights.iter().map(|light| light.id).collect();
     if lamps.is_empty() {
         return;
     }

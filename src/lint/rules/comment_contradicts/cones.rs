@@ -13,10 +13,11 @@ use crate::syntax::{Record, quote};
 
 /// Beginnings of words for the tip of a cone, without accents.
 const TIP: [&str; 6] = ["tip", "apex", "spick", "spic", "vrchol", "hrot"];
-/// Words for upwards, and beginnings of words that say something else of the tip.
+/// Words for upwards, without accents.
 const UP: [&str; 8] = [
     "up", "upward", "upwards", "upright", "top", "nahoru", "nahore", "vzhuru",
 ];
+/// Beginnings of words by which a comment says something else of the tip, without accents.
 const OTHERS: [&str; 9] = [
     "down", "dol", "dole", "not", "neni", "upside", "turn", "rot", "otoc",
 ];
@@ -33,41 +34,30 @@ fn is_tip_up(comment: &str) -> bool {
     is_up && begins(&TIP) && !begins(&OTHERS)
 }
 
-/// `cones` are those whose comments say that the tip is up; the base of each is above its tip, before it is placed.
+/// The findings about `cones`: comments say that their tips are up, and their bases are above their tips. Cones that
+/// something may turn are left out.
 pub(super) fn check(context: &Context, cones: &[&Record], out: &mut Vec<Diagnostic>) {
-    let is_upright = context
-        .scene
-        .cameras
-        .iter()
-        .all(|camera| camera.up[1] > 0.0);
-    if cones.is_empty() || !is_upright {
+    let mut cameras = context.scene.cameras.iter();
+    if cones.is_empty() || !cameras.all(|camera| camera.up[1] > 0.0) {
         return;
     }
-    let mut placed: FxHashMap<u32, Vec<&Record>> = FxHashMap::default();
-    for record in context.records() {
-        if record.ty().family == Family::Transformation {
-            placed.entry(record.id).or_default().push(record);
-        }
+    let is_move = |r: &Record| r.ty().family == Family::Transformation;
+    let turned = context.with_parts(|r| is_move(r) && r.kind != RecordKind::Translation);
+    let mut moves: FxHashMap<u32, Vec<&Record>> = FxHashMap::default();
+    for record in context.records().filter(|r| is_move(r)) {
+        moves.entry(record.id).or_default().push(record);
     }
-    for cone in cones {
+    for cone in cones.iter().filter(|cone| !turned.contains(&cone.id)) {
         let p = context.record_params(cone);
-        // Whatever else places the cone may turn it.
-        let moved = match placed.get(&cone.id).map(Vec::as_slice) {
+        let moved = match moves.get(&cone.id).map(Vec::as_slice) {
             None => None,
-            Some([only]) if only.kind == RecordKind::Translation => {
-                Some(context.record_params(only))
-            }
+            Some([only]) => Some(context.record_params(only)),
             Some(_) => continue,
         };
         let height = p.number(0);
-        let turned = opposite(&p, 0);
-        let mut fix = Fix::replace(
-            "fix",
-            Applicability::Unsafe,
-            p.span_of(0, 1),
-            turned.clone(),
-        );
-        fix = fix.with("number", quote(&turned));
+        let text = opposite(&p, 0);
+        let mut fix = Fix::replace("fix", Applicability::Unsafe, p.span_of(0, 1), text.clone());
+        fix = fix.with("number", quote(&text));
         if let Some(translation) = moved.filter(|translation| translation.len() == 3) {
             // The base comes to where the tip was.
             let raised = sizes::sum(translation.number(1), height);

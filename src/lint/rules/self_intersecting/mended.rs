@@ -3,12 +3,10 @@
 use super::crossing::first_crossing;
 use crate::diagnostics::{Applicability, Edit, Fix};
 use crate::scene::record::Params;
+use crate::scene::sizes;
 use crate::solids::shapes::revolution::MAX_EXAMINED_POINTS;
-use crate::syntax::{quote, tenth, words};
+use crate::syntax::{quote, tenth};
 
-/// Beginnings of words for a height and for a radius, without accents.
-const HEIGHT: [&str; 2] = ["height", "vysk"];
-const RADIUS: [&str; 3] = ["radi", "polomer", "distance"];
 /// Least number that may have lost a point: a single digit would rather have lost a zero and a point.
 const MIN_WRITTEN: f64 = 10.0;
 /// Most numbers of a profile that are tried with a decimal point.
@@ -28,7 +26,8 @@ pub(super) fn mended(p: &Params) -> Vec<Fix> {
     let is_right = |profile: &[[f64; 2]]| first_crossing(profile).is_none();
     let is_possible = profile.iter().all(|&[_, y]| y >= 0.0);
     let mut fixes = Vec::new();
-    if is_possible && p.own_comments().any(is_height_first) {
+    let names_height_first = |text| sizes::names_height_first(text) == Some(true);
+    if is_possible && p.own_comments().any(names_height_first) {
         fixes.push(pairs_swapped(p, n));
     }
     let point = |at: usize| {
@@ -68,14 +67,4 @@ fn pairs_swapped(p: &Params, n: usize) -> Fix {
         applicability: Applicability::Unsafe,
         edits: (0..n).flat_map(swapped).collect(),
     }
-}
-
-/// Whether a comment names a height, and a radius behind it.
-fn is_height_first(comment: &str) -> bool {
-    let all: Vec<String> = words::of_text(comment).collect();
-    let place = |names: &[&str]| {
-        let is_it = |w: &String| names.iter().any(|name| w.starts_with(name));
-        all.iter().position(is_it)
-    };
-    matches!((place(&HEIGHT), place(&RADIUS)), (Some(height), Some(radius)) if height < radius)
 }

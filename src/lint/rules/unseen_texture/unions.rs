@@ -40,6 +40,9 @@ pub(super) fn unions(
             of.entry(difference).or_default().insert(colour);
         }
     }
+    if of.is_empty() {
+        return (told, findings);
+    }
     let mut all: Vec<(NodeId, FxHashSet<usize>)> = of.into_iter().collect();
     all.sort_unstable_by_key(|(difference, _)| *difference);
     let swapped = swapped_difference::reported(context, RecordKind::Difference);
